@@ -245,7 +245,6 @@ void MainWindow::apply(const Preferences& preferences)
     if (preferences.language != before.language || preferences.units != before.units)
         QMetaObject::invokeMethod(this, &MainWindow::remakeInterface, Qt::QueuedConnection);
     suitHand();
-    m_files->autosave().setInterval(preferences.autosaveInterval);
     if (preferences.libraryFolder != before.libraryFolder)
         m_library->setFolder(m_settings.libraryFolder());
 }
@@ -309,6 +308,17 @@ void MainWindow::closeEvent(QCloseEvent* event)
     m_settings.setViewValues(m_viewSettings.values());
     m_settings.setWindowGeometry(saveGeometry());
     event->accept();
+}
+
+void MainWindow::leaveAtOnce()
+{
+    m_recipeRunner.stop();
+    finishHand();
+    m_document.interruptEdit();
+    m_files->leave();
+    m_settings.setViewValues(m_viewSettings.values());
+    m_settings.setWindowGeometry(saveGeometry());
+    QCoreApplication::exit();
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event)

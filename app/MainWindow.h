@@ -62,6 +62,9 @@ public:
     bool isBusy() const override;
     bool makeRoom() override;
     void playRecipe(const Recipe& recipe, RecipeRunner::Pace pace) override;
+    /// Ends the program without a question: what is under way is finished, and what is in no file stays in
+    /// the safety copy, which the next start offers.
+    void leaveAtOnce();
 
     QSize sizeHint() const override { return {1440, 900}; }
 

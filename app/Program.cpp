@@ -4,7 +4,9 @@
 #include "app/Demo.h"
 #include "app/HelpController.h"
 #include "app/Language.h"
+#include "app/Log.h"
 #include "app/MainWindow.h"
+#include "app/TerminationSignals.h"
 #include "app/cli/BatchJob.h"
 #include "app/cli/CommandLine.h"
 #include "app/cli/Display.h"
@@ -14,7 +16,9 @@
 #include "views/render/GlResources.h"
 
 #include <QApplication>
+#include <QDir>
 #include <QIcon>
+#include <QSysInfo>
 
 #include <tbb/global_control.h>
 
@@ -82,9 +86,20 @@ int runWindow(const CommandLine& line, QApplication& application)
         }
         demo = std::move(*recipe);
     }
+    Log::open();
+    Log::note(QStringLiteral("Espalier %1 begins: Qt %2, %3, %4, platform %5")
+                  .arg(QStringLiteral(ESPALIER_VERSION), QString::fromLatin1(qVersion()),
+                       QSysInfo::prettyProductName(), QSysInfo::currentCpuArchitecture(),
+                       QGuiApplication::platformName()));
+    Log::catchCrashes(
+        QCoreApplication::translate("Program", "What you did is in a safety copy in %1; the next start "
+                                               "offers it. The fault is described in %2.")
+            .arg(QDir::toNativeSeparators(Autosave::folder()), QDir::toNativeSeparators(Log::fileName())));
     theme::apply(application, Settings().preferences().look);
     QApplication::setWindowIcon(QIcon(QStringLiteral(":/icons/espalier.svg")));
     MainWindow window;
+    const TerminationSignals terminationSignals;
+    QObject::connect(&terminationSignals, &TerminationSignals::asked, &window, &MainWindow::leaveAtOnce);
     window.show();
     if (demo && isDisplayVirtual()) {
         demonstrateUnseen(window, *demo);
@@ -98,7 +113,9 @@ int runWindow(const CommandLine& line, QApplication& application)
             window.files().openFile(line.inputs.constFirst());
         window.files().offerRecovery();
     }
-    return QApplication::exec();
+    const int code = QApplication::exec();
+    Log::note(QStringLiteral("Espalier ends"));
+    return code;
 }
 
 } // namespace
@@ -108,8 +125,14 @@ int runProgram(int argc, char** argv)
     keepFreedMemory();
     nameProgram();
     QStringList arguments;
-    for (int i = 1; i < argc; ++i)
+    for (int i = 1; i < argc; ++i) {
         arguments.append(QString::fromLocal8Bit(argv[i]));
+        // Different names could otherwise become the same one.
+        if (arguments.constLast().toLocal8Bit() != argv[i]) {
+            complain(QStringLiteral("\"%1\" is not valid UTF-8; rename the file").arg(arguments.constLast()));
+            return kUsage;
+        }
+    }
     const Result<CommandLine> line = parseCommandLine(arguments);
 
     std::optional<tbb::global_control> threads;

@@ -74,7 +74,6 @@ SettingsSheet::SettingsSheet(const Preferences& preferences, QWidget* parent)
       m_delayText(new QLabel(this)),
       m_mouse(new QComboBox(this)),
       m_mouseNote(makeNote()),
-      m_autosave(new QSpinBox(this)),
       m_undo(new QSpinBox(this)),
       m_folder(makeNote()),
       m_defaults(new QPushButton(tr("Defaults"), this))
@@ -112,11 +111,9 @@ SettingsSheet::SettingsSheet(const Preferences& preferences, QWidget* parent)
         box->setMinimumHeight(kControl);
         connect(box, &QComboBox::currentIndexChanged, this, &SettingsSheet::edit);
     }
-    for (QSpinBox* box : {m_autosave, m_undo}) {
-        box->setMinimumHeight(kControl);
-        box->setButtonSymbols(QAbstractSpinBox::NoButtons);
-        connect(box, &QSpinBox::valueChanged, this, &SettingsSheet::edit);
-    }
+    m_undo->setMinimumHeight(kControl);
+    m_undo->setButtonSymbols(QAbstractSpinBox::NoButtons);
+    connect(m_undo, &QSpinBox::valueChanged, this, &SettingsSheet::edit);
     connect(m_softness, &QSlider::valueChanged, this, [this](int value) {
         if (m_isShowing)
             return;
@@ -244,9 +241,6 @@ QLayout* SettingsSheet::makeStabiliser()
 
 QLayout* SettingsSheet::makeWork()
 {
-    m_autosave->setRange(1, Preferences::kLongestInterval);
-    m_autosave->setSuffix(tr(" s"));
-    m_autosave->setObjectName(QStringLiteral("autosave"));
     m_undo->setRange(0, Preferences::kMostUndoSteps);
     m_undo->setSpecialValueText(tr("all"));
     m_undo->setObjectName(QStringLiteral("undo"));
@@ -257,7 +251,6 @@ QLayout* SettingsSheet::makeWork()
     form->setVerticalSpacing(8);
     form->setHorizontalSpacing(18);
     form->addRow(barHeading(tr("Work"), this));
-    form->addRow(makeLabel(tr("Safety copy every"), m_autosave), m_autosave);
     form->addRow(makeLabel(tr("Undo steps kept"), m_undo), m_undo);
     form->addRow(makeNote(tr("A change applies to the next tree that you begin or open.")));
     form->addRow(makeLabel(tr("Library"), change), change);
@@ -293,7 +286,6 @@ void SettingsSheet::display(const Preferences& preferences)
         stabilising.delay > 0.0 ? tr("%1 s").arg(locale().toString(stabilising.delay, 'f', 2)) : tr("off"));
     m_mouse->setCurrentIndex(static_cast<int>(preferences.mouse));
     m_mouseNote->setText(mouseNote(preferences.mouse));
-    m_autosave->setValue(preferences.autosaveInterval);
     m_undo->setValue(preferences.undoSteps);
     const QString folder = QDir::toNativeSeparators(preferences.libraryFolder);
     m_folder->setText(folder.isEmpty()
@@ -316,7 +308,6 @@ void SettingsSheet::edit()
     edited.stabilising = {.distance = static_cast<double>(m_distance->value()),
                           .delay = m_delay->value() / kHundredths};
     edited.mouse = static_cast<MouseScheme>(m_mouse->currentIndex());
-    edited.autosaveInterval = m_autosave->value();
     edited.undoSteps = m_undo->value();
     take(edited);
 }

@@ -66,7 +66,6 @@ private:
     QLabel* m_delayText;
     QComboBox* m_mouse;
     QLabel* m_mouseNote;
-    QSpinBox* m_autosave;
     QSpinBox* m_undo;
     QLabel* m_folder;
     QPushButton* m_defaults;

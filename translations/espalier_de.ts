@@ -464,6 +464,13 @@
     </message>
 </context>
 <context>
+    <name>Background</name>
+    <message>
+        <source>There is not enough memory for this.</source>
+        <translation>Dafür reicht der Speicher nicht.</translation>
+    </message>
+</context>
+<context>
     <name>BendTool</name>
     <message>
         <source>Pull a branch to bend it; or tap where the bend begins, then where to hold it</source>
@@ -948,10 +955,6 @@ geschrieben werden konnte.
         <translation>ein Strich hat einen Punkt, der keine Zahl ist</translation>
     </message>
     <message>
-        <source>it is larger than 32 MB</source>
-        <translation>sie ist größer als 32 MB</translation>
-    </message>
-    <message>
         <source>it has no strokes</source>
         <translation>sie hat keine Striche</translation>
     </message>
@@ -1123,6 +1126,29 @@ geschrieben werden konnte.
     </message>
 </context>
 <context>
+    <name>FileReader</name>
+    <message>
+        <source>it is larger than %1 bytes</source>
+        <translation>sie ist größer als %1 Bytes</translation>
+    </message>
+    <message>
+        <source>it is larger than %1 MB</source>
+        <translation>sie ist größer als %1 MB</translation>
+    </message>
+    <message>
+        <source>it is a folder</source>
+        <translation>sie ist ein Ordner</translation>
+    </message>
+    <message>
+        <source>it is a device or a pipe, not a file</source>
+        <translation>sie ist ein Gerät oder eine Pipe, keine Datei</translation>
+    </message>
+    <message>
+        <source>it cannot be read: %1</source>
+        <translation>sie kann nicht gelesen werden: %1</translation>
+    </message>
+</context>
+<context>
     <name>FileWriter</name>
     <message>
         <source>the folder %1 does not exist</source>
@@ -1184,6 +1210,14 @@ geschrieben werden konnte.
         <source>a file needs a name</source>
         <translation>eine Datei braucht einen Namen</translation>
     </message>
+    <message>
+        <source>it is a link that leads back to itself</source>
+        <translation>sie ist eine Verknüpfung, die auf sich selbst zurückführt</translation>
+    </message>
+    <message>
+        <source>no program reads from this pipe</source>
+        <translation>kein Programm liest aus dieser Pipe</translation>
+    </message>
 </context>
 <context>
     <name>GrowTool</name>
@@ -1215,12 +1249,19 @@ geschrieben werden konnte.
         <translation>hat nur %1 × %2 Pixel</translation>
     </message>
     <message>
-        <source>there is no such file</source>
-        <translation>eine solche Datei gibt es nicht</translation>
-    </message>
-    <message>
         <source>it is not a picture that can be read</source>
         <translation>es ist kein lesbares Bild</translation>
+    </message>
+</context>
+<context>
+    <name>ImageStructure</name>
+    <message>
+        <source>the file is not whole</source>
+        <translation>die Datei ist nicht vollständig</translation>
+    </message>
+    <message>
+        <source>it is made so that unpacking it would take very long</source>
+        <translation>sie ist so beschaffen, dass das Entpacken sehr lange dauern würde</translation>
     </message>
 </context>
 <context>
@@ -3020,6 +3061,10 @@ geschrieben werden konnte.
         <source>%1; see espalier --help</source>
         <translation>%1; siehe espalier --help</translation>
     </message>
+    <message>
+        <source>What you did is in a safety copy in %1; the next start offers it. The fault is described in %2.</source>
+        <translation>Was Sie getan haben, ist in einer Sicherheitskopie in %1; der nächste Start bietet sie an. Der Fehler ist in %2 beschrieben.</translation>
+    </message>
 </context>
 <context>
     <name>ProjectFile</name>
@@ -3062,10 +3107,6 @@ geschrieben werden konnte.
     <message>
         <source>the tree or its history is too large for a project file</source>
         <translation>der Baum oder seine Geschichte ist zu groß für eine Projektdatei</translation>
-    </message>
-    <message>
-        <source>it is larger than %1 GB</source>
-        <translation>ist größer als %1 GB</translation>
     </message>
     <message>
         <source>at most %1 images are expected</source>
@@ -3122,6 +3163,18 @@ geschrieben werden konnte.
     <message>
         <source>the reference picture “%1” is missing from it or broken</source>
         <translation>das Vorlagenbild „%1“ fehlt darin oder ist beschädigt</translation>
+    </message>
+    <message>
+        <source>a change of the history</source>
+        <translation>eine Änderung der Geschichte</translation>
+    </message>
+    <message>
+        <source>it does not follow on from what is before it</source>
+        <translation>sie schließt nicht an das an, was vor ihr steht</translation>
+    </message>
+    <message>
+        <source>there is no such file</source>
+        <translation>diese Datei gibt es nicht</translation>
     </message>
 </context>
 <context>
@@ -3517,6 +3570,17 @@ geschrieben werden konnte.
     </message>
 </context>
 <context>
+    <name>SafetyCopy</name>
+    <message>
+        <source>another program has changed it</source>
+        <translation>ein anderes Programm hat sie geändert</translation>
+    </message>
+    <message>
+        <source>a change of the tree is too large</source>
+        <translation>eine Änderung des Baums ist zu groß</translation>
+    </message>
+</context>
+<context>
     <name>SelectBudTool</name>
     <message>
         <source>Tap a bud, and it alone grows from now on; tap beside the tree to let all grow again</source>
@@ -3580,10 +3644,6 @@ geschrieben werden konnte.
     <message>
         <source>there are no segments</source>
         <translation>es gibt keine Segmente</translation>
-    </message>
-    <message>
-        <source>it is larger than %1 MB</source>
-        <translation>ist größer als %1 MB</translation>
     </message>
     <message>
         <source>segment %1</source>
@@ -3944,6 +4004,10 @@ geschrieben werden konnte.
     <message>
         <source>it is larger than %1 bytes</source>
         <translation>ist größer als %1 Bytes</translation>
+    </message>
+    <message>
+        <source>it claims to hold far more than its size allows</source>
+        <translation>sie gibt vor, viel mehr zu enthalten, als ihre Größe erlaubt</translation>
     </message>
 </context>
 <context>
@@ -5257,10 +5321,6 @@ geschrieben werden konnte.
         <translation>Stiftdruck</translation>
     </message>
     <message>
-        <source> s</source>
-        <translation> s</translation>
-    </message>
-    <message>
         <source>all</source>
         <translation>alle</translation>
     </message>
@@ -5271,10 +5331,6 @@ geschrieben werden konnte.
     <message>
         <source>Work</source>
         <translation>Arbeit</translation>
-    </message>
-    <message>
-        <source>Safety copy every</source>
-        <translation>Sicherheitskopie alle</translation>
     </message>
     <message>
         <source>Undo steps kept</source>

@@ -464,6 +464,13 @@
     </message>
 </context>
 <context>
+    <name>Background</name>
+    <message>
+        <source>There is not enough memory for this.</source>
+        <translation>Il n’y a pas assez de mémoire pour cela.</translation>
+    </message>
+</context>
+<context>
     <name>BendTool</name>
     <message>
         <source>Pull a branch to bend it; or tap where the bend begins, then where to hold it</source>
@@ -947,10 +954,6 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>un trait a un point qui n’est pas un nombre</translation>
     </message>
     <message>
-        <source>it is larger than 32 MB</source>
-        <translation>il dépasse 32 Mo</translation>
-    </message>
-    <message>
         <source>it has no strokes</source>
         <translation>il n’a pas de traits</translation>
     </message>
@@ -1122,6 +1125,29 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
     </message>
 </context>
 <context>
+    <name>FileReader</name>
+    <message>
+        <source>it is larger than %1 bytes</source>
+        <translation>il dépasse %1 octets</translation>
+    </message>
+    <message>
+        <source>it is larger than %1 MB</source>
+        <translation>il dépasse %1 Mo</translation>
+    </message>
+    <message>
+        <source>it is a folder</source>
+        <translation>c’est un dossier</translation>
+    </message>
+    <message>
+        <source>it is a device or a pipe, not a file</source>
+        <translation>c’est un périphérique ou un tube, pas un fichier</translation>
+    </message>
+    <message>
+        <source>it cannot be read: %1</source>
+        <translation>il ne peut pas être lu : %1</translation>
+    </message>
+</context>
+<context>
     <name>FileWriter</name>
     <message>
         <source>the folder %1 does not exist</source>
@@ -1183,6 +1209,14 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <source>a file needs a name</source>
         <translation>il faut un nom au fichier</translation>
     </message>
+    <message>
+        <source>it is a link that leads back to itself</source>
+        <translation>c’est un lien qui revient sur lui-même</translation>
+    </message>
+    <message>
+        <source>no program reads from this pipe</source>
+        <translation>aucun programme ne lit ce tube</translation>
+    </message>
 </context>
 <context>
     <name>GrowTool</name>
@@ -1214,12 +1248,19 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>l’image ne fait que %1 × %2 pixels</translation>
     </message>
     <message>
-        <source>there is no such file</source>
-        <translation>ce fichier n’existe pas</translation>
-    </message>
-    <message>
         <source>it is not a picture that can be read</source>
         <translation>ce n’est pas une image lisible</translation>
+    </message>
+</context>
+<context>
+    <name>ImageStructure</name>
+    <message>
+        <source>the file is not whole</source>
+        <translation>le fichier n’est pas complet</translation>
+    </message>
+    <message>
+        <source>it is made so that unpacking it would take very long</source>
+        <translation>il est fait de telle sorte que sa décompression prendrait très longtemps</translation>
     </message>
 </context>
 <context>
@@ -3019,6 +3060,10 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <source>%1; see espalier --help</source>
         <translation>%1&#xa0;; voir espalier --help</translation>
     </message>
+    <message>
+        <source>What you did is in a safety copy in %1; the next start offers it. The fault is described in %2.</source>
+        <translation>Votre travail se trouve dans une copie de sécurité dans %1 ; le prochain démarrage la propose. L’erreur est décrite dans %2.</translation>
+    </message>
 </context>
 <context>
     <name>ProjectFile</name>
@@ -3061,10 +3106,6 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
     <message>
         <source>the tree or its history is too large for a project file</source>
         <translation>l’arbre ou son historique est trop grand pour un fichier de projet</translation>
-    </message>
-    <message>
-        <source>it is larger than %1 GB</source>
-        <translation>la taille dépasse %1 Go</translation>
     </message>
     <message>
         <source>at most %1 images are expected</source>
@@ -3121,6 +3162,18 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
     <message>
         <source>the reference picture “%1” is missing from it or broken</source>
         <translation>l’image de référence « %1 » y manque ou est endommagée</translation>
+    </message>
+    <message>
+        <source>a change of the history</source>
+        <translation>une modification de l’historique</translation>
+    </message>
+    <message>
+        <source>it does not follow on from what is before it</source>
+        <translation>elle ne s’enchaîne pas à ce qui la précède</translation>
+    </message>
+    <message>
+        <source>there is no such file</source>
+        <translation>ce fichier n’existe pas</translation>
     </message>
 </context>
 <context>
@@ -3516,6 +3569,17 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
     </message>
 </context>
 <context>
+    <name>SafetyCopy</name>
+    <message>
+        <source>another program has changed it</source>
+        <translation>un autre programme l’a modifié</translation>
+    </message>
+    <message>
+        <source>a change of the tree is too large</source>
+        <translation>une modification de l’arbre est trop grande</translation>
+    </message>
+</context>
+<context>
     <name>SelectBudTool</name>
     <message>
         <source>Tap a bud, and it alone grows from now on; tap beside the tree to let all grow again</source>
@@ -3579,10 +3643,6 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
     <message>
         <source>there are no segments</source>
         <translation>il n’y a pas de segments</translation>
-    </message>
-    <message>
-        <source>it is larger than %1 MB</source>
-        <translation>il dépasse %1 Mo</translation>
     </message>
     <message>
         <source>segment %1</source>
@@ -3943,6 +4003,10 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
     <message>
         <source>it is larger than %1 bytes</source>
         <translation>la taille dépasse %1 octets</translation>
+    </message>
+    <message>
+        <source>it claims to hold far more than its size allows</source>
+        <translation>il prétend contenir bien plus que sa taille ne le permet</translation>
     </message>
 </context>
 <context>
@@ -5256,10 +5320,6 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>Pression du stylet</translation>
     </message>
     <message>
-        <source> s</source>
-        <translation> s</translation>
-    </message>
-    <message>
         <source>all</source>
         <translation>toutes</translation>
     </message>
@@ -5270,10 +5330,6 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
     <message>
         <source>Work</source>
         <translation>Travail</translation>
-    </message>
-    <message>
-        <source>Safety copy every</source>
-        <translation>Sauvegarde toutes les</translation>
     </message>
     <message>
         <source>Undo steps kept</source>

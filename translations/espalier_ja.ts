@@ -464,6 +464,13 @@
     </message>
 </context>
 <context>
+    <name>Background</name>
+    <message>
+        <source>There is not enough memory for this.</source>
+        <translation>このためのメモリが足りません。</translation>
+    </message>
+</context>
+<context>
     <name>BendTool</name>
     <message>
         <source>Pull a branch to bend it; or tap where the bend begins, then where to hold it</source>
@@ -940,10 +947,6 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>線に数でない点があります</translation>
     </message>
     <message>
-        <source>it is larger than 32 MB</source>
-        <translation>32 MB を超えています</translation>
-    </message>
-    <message>
         <source>it has no strokes</source>
         <translation>線がありません</translation>
     </message>
@@ -1115,6 +1118,29 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
     </message>
 </context>
 <context>
+    <name>FileReader</name>
+    <message>
+        <source>it is larger than %1 bytes</source>
+        <translation>%1 バイトを超えています</translation>
+    </message>
+    <message>
+        <source>it is larger than %1 MB</source>
+        <translation>%1 MB を超えています</translation>
+    </message>
+    <message>
+        <source>it is a folder</source>
+        <translation>これはフォルダーです</translation>
+    </message>
+    <message>
+        <source>it is a device or a pipe, not a file</source>
+        <translation>これはファイルではなく、デバイスまたはパイプです</translation>
+    </message>
+    <message>
+        <source>it cannot be read: %1</source>
+        <translation>読み込めません: %1</translation>
+    </message>
+</context>
+<context>
     <name>FileWriter</name>
     <message>
         <source>the folder %1 does not exist</source>
@@ -1176,6 +1202,14 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <source>a file needs a name</source>
         <translation>ファイルには名前が必要です</translation>
     </message>
+    <message>
+        <source>it is a link that leads back to itself</source>
+        <translation>自分自身に戻るリンクです</translation>
+    </message>
+    <message>
+        <source>no program reads from this pipe</source>
+        <translation>このパイプを読むプログラムがありません</translation>
+    </message>
 </context>
 <context>
     <name>GrowTool</name>
@@ -1207,12 +1241,19 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>%1 × %2 ピクセルしかありません</translation>
     </message>
     <message>
-        <source>there is no such file</source>
-        <translation>そのようなファイルはありません</translation>
-    </message>
-    <message>
         <source>it is not a picture that can be read</source>
         <translation>読み込める画像ではありません</translation>
+    </message>
+</context>
+<context>
+    <name>ImageStructure</name>
+    <message>
+        <source>the file is not whole</source>
+        <translation>ファイルが途中で切れています</translation>
+    </message>
+    <message>
+        <source>it is made so that unpacking it would take very long</source>
+        <translation>展開に非常に時間がかかるように作られています</translation>
     </message>
 </context>
 <context>
@@ -3012,6 +3053,10 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <source>%1; see espalier --help</source>
         <translation>%1。espalier --help をご覧ください</translation>
     </message>
+    <message>
+        <source>What you did is in a safety copy in %1; the next start offers it. The fault is described in %2.</source>
+        <translation>作業内容は %1 の安全コピーにあり、次の起動時に復元できます。エラーの内容は %2 にあります。</translation>
+    </message>
 </context>
 <context>
     <name>ProjectFile</name>
@@ -3054,10 +3099,6 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
     <message>
         <source>the tree or its history is too large for a project file</source>
         <translation>木またはその履歴が大きすぎて、プロジェクトファイルに収まりません</translation>
-    </message>
-    <message>
-        <source>it is larger than %1 GB</source>
-        <translation>%1 GB を超えています</translation>
     </message>
     <message>
         <source>at most %1 images are expected</source>
@@ -3114,6 +3155,18 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
     <message>
         <source>the reference picture “%1” is missing from it or broken</source>
         <translation>下絵「%1」がないか、壊れています</translation>
+    </message>
+    <message>
+        <source>a change of the history</source>
+        <translation>履歴の変更</translation>
+    </message>
+    <message>
+        <source>it does not follow on from what is before it</source>
+        <translation>前の内容とつながっていません</translation>
+    </message>
+    <message>
+        <source>there is no such file</source>
+        <translation>このファイルはありません</translation>
     </message>
 </context>
 <context>
@@ -3509,6 +3562,17 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
     </message>
 </context>
 <context>
+    <name>SafetyCopy</name>
+    <message>
+        <source>another program has changed it</source>
+        <translation>別のプログラムが変更しました</translation>
+    </message>
+    <message>
+        <source>a change of the tree is too large</source>
+        <translation>木の変更が大きすぎます</translation>
+    </message>
+</context>
+<context>
     <name>SelectBudTool</name>
     <message>
         <source>Tap a bud, and it alone grows from now on; tap beside the tree to let all grow again</source>
@@ -3572,10 +3636,6 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
     <message>
         <source>there are no segments</source>
         <translation>セグメントがありません</translation>
-    </message>
-    <message>
-        <source>it is larger than %1 MB</source>
-        <translation>%1 MB を超えています</translation>
     </message>
     <message>
         <source>segment %1</source>
@@ -3936,6 +3996,10 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
     <message>
         <source>it is larger than %1 bytes</source>
         <translation>%1 バイトを超えています</translation>
+    </message>
+    <message>
+        <source>it claims to hold far more than its size allows</source>
+        <translation>大きさから考えられるよりもはるかに多くの内容を持つことになっています</translation>
     </message>
 </context>
 <context>
@@ -5248,10 +5312,6 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>筆圧</translation>
     </message>
     <message>
-        <source> s</source>
-        <translation> 秒</translation>
-    </message>
-    <message>
         <source>all</source>
         <translation>すべて</translation>
     </message>
@@ -5262,10 +5322,6 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
     <message>
         <source>Work</source>
         <translation>作業</translation>
-    </message>
-    <message>
-        <source>Safety copy every</source>
-        <translation>控えの間隔</translation>
     </message>
     <message>
         <source>Undo steps kept</source>

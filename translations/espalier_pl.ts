@@ -464,6 +464,13 @@
     </message>
 </context>
 <context>
+    <name>Background</name>
+    <message>
+        <source>There is not enough memory for this.</source>
+        <translation>Na to nie wystarcza pamięci.</translation>
+    </message>
+</context>
+<context>
     <name>BendTool</name>
     <message>
         <source>Pull a branch to bend it; or tap where the bend begins, then where to hold it</source>
@@ -949,10 +956,6 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>kreska ma punkt, który nie jest liczbą</translation>
     </message>
     <message>
-        <source>it is larger than 32 MB</source>
-        <translation>jest większy niż 32 MB</translation>
-    </message>
-    <message>
         <source>it has no strokes</source>
         <translation>nie ma kresek</translation>
     </message>
@@ -1124,6 +1127,29 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
     </message>
 </context>
 <context>
+    <name>FileReader</name>
+    <message>
+        <source>it is larger than %1 bytes</source>
+        <translation>jest większy niż %1 bajtów</translation>
+    </message>
+    <message>
+        <source>it is larger than %1 MB</source>
+        <translation>jest większy niż %1 MB</translation>
+    </message>
+    <message>
+        <source>it is a folder</source>
+        <translation>to jest folder</translation>
+    </message>
+    <message>
+        <source>it is a device or a pipe, not a file</source>
+        <translation>to urządzenie lub potok, a nie plik</translation>
+    </message>
+    <message>
+        <source>it cannot be read: %1</source>
+        <translation>nie można go odczytać: %1</translation>
+    </message>
+</context>
+<context>
     <name>FileWriter</name>
     <message>
         <source>the folder %1 does not exist</source>
@@ -1185,6 +1211,14 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <source>a file needs a name</source>
         <translation>plik musi mieć nazwę</translation>
     </message>
+    <message>
+        <source>it is a link that leads back to itself</source>
+        <translation>to dowiązanie, które prowadzi do siebie samego</translation>
+    </message>
+    <message>
+        <source>no program reads from this pipe</source>
+        <translation>żaden program nie czyta z tego potoku</translation>
+    </message>
 </context>
 <context>
     <name>GrowTool</name>
@@ -1216,12 +1250,19 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>wymiary to tylko %1 × %2 pikseli</translation>
     </message>
     <message>
-        <source>there is no such file</source>
-        <translation>nie ma takiego pliku</translation>
-    </message>
-    <message>
         <source>it is not a picture that can be read</source>
         <translation>to nie jest obraz, który da się odczytać</translation>
+    </message>
+</context>
+<context>
+    <name>ImageStructure</name>
+    <message>
+        <source>the file is not whole</source>
+        <translation>plik nie jest kompletny</translation>
+    </message>
+    <message>
+        <source>it is made so that unpacking it would take very long</source>
+        <translation>jest tak zbudowany, że rozpakowanie trwałoby bardzo długo</translation>
     </message>
 </context>
 <context>
@@ -3021,6 +3062,10 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <source>%1; see espalier --help</source>
         <translation>%1; patrz espalier --help</translation>
     </message>
+    <message>
+        <source>What you did is in a safety copy in %1; the next start offers it. The fault is described in %2.</source>
+        <translation>To, co zrobiono, jest w kopii bezpieczeństwa w %1; przy następnym uruchomieniu można ją przywrócić. Błąd opisano w %2.</translation>
+    </message>
 </context>
 <context>
     <name>ProjectFile</name>
@@ -3063,10 +3108,6 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
     <message>
         <source>the tree or its history is too large for a project file</source>
         <translation>drzewo lub jego historia jest za duże na plik projektu</translation>
-    </message>
-    <message>
-        <source>it is larger than %1 GB</source>
-        <translation>rozmiar przekracza %1 GB</translation>
     </message>
     <message>
         <source>at most %1 images are expected</source>
@@ -3123,6 +3164,18 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
     <message>
         <source>the reference picture “%1” is missing from it or broken</source>
         <translation>brakuje w nim obrazu referencyjnego „%1” lub jest on uszkodzony</translation>
+    </message>
+    <message>
+        <source>a change of the history</source>
+        <translation>zmiana historii</translation>
+    </message>
+    <message>
+        <source>it does not follow on from what is before it</source>
+        <translation>nie wynika z tego, co jest przed nią</translation>
+    </message>
+    <message>
+        <source>there is no such file</source>
+        <translation>nie ma takiego pliku</translation>
     </message>
 </context>
 <context>
@@ -3518,6 +3571,17 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
     </message>
 </context>
 <context>
+    <name>SafetyCopy</name>
+    <message>
+        <source>another program has changed it</source>
+        <translation>inny program go zmienił</translation>
+    </message>
+    <message>
+        <source>a change of the tree is too large</source>
+        <translation>zmiana drzewa jest zbyt duża</translation>
+    </message>
+</context>
+<context>
     <name>SelectBudTool</name>
     <message>
         <source>Tap a bud, and it alone grows from now on; tap beside the tree to let all grow again</source>
@@ -3581,10 +3645,6 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
     <message>
         <source>there are no segments</source>
         <translation>nie ma segmentów</translation>
-    </message>
-    <message>
-        <source>it is larger than %1 MB</source>
-        <translation>jest większy niż %1 MB</translation>
     </message>
     <message>
         <source>segment %1</source>
@@ -3945,6 +4005,10 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
     <message>
         <source>it is larger than %1 bytes</source>
         <translation>rozmiar w bajtach przekracza %1</translation>
+    </message>
+    <message>
+        <source>it claims to hold far more than its size allows</source>
+        <translation>podaje, że zawiera znacznie więcej, niż pozwala na to jego rozmiar</translation>
     </message>
 </context>
 <context>
@@ -5259,10 +5323,6 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>Nacisk pióra</translation>
     </message>
     <message>
-        <source> s</source>
-        <translation> s</translation>
-    </message>
-    <message>
         <source>all</source>
         <translation>wszystkie</translation>
     </message>
@@ -5273,10 +5333,6 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
     <message>
         <source>Work</source>
         <translation>Praca</translation>
-    </message>
-    <message>
-        <source>Safety copy every</source>
-        <translation>Kopia zapasowa co</translation>
     </message>
     <message>
         <source>Undo steps kept</source>

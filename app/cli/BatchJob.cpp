@@ -3,6 +3,7 @@
 
 #include "app/cli/SketchJob.h"
 #include "app/files/Outputs.h"
+#include "app/runners/Background.h"
 #include "commands/DocumentProject.h"
 #include "commands/ImportSkeleton.h"
 #include "commands/SetParameters.h"
@@ -488,10 +489,21 @@ NamedView namedView(const QString& name)
 
 void complain(const QString& sentence)
 {
-    std::fprintf(stderr, "espalier: %s\n", qPrintable(sentence.simplified()));
+    constexpr qsizetype kMost = 1000;
+    QString shown = sentence.left(kMost).simplified();
+    // A name from a file could otherwise send commands to the terminal.
+    for (QChar& character : shown) {
+        if (!character.isPrint() && !character.isSurrogate())
+            character = QChar::ReplacementCharacter;
+    }
+    if (sentence.size() > kMost)
+        shown += QChar(0x2026);
+    std::fprintf(stderr, "espalier: %s\n", qPrintable(shown));
 }
 
-ExitCode runBatchJob(const CommandLine& line)
+namespace {
+
+Result<void> perform(const CommandLine& line)
 {
     Result<void> result;
     switch (line.verb) {
@@ -516,6 +528,15 @@ ExitCode runBatchJob(const CommandLine& line)
     default:
         Q_UNREACHABLE();
     }
+    return result;
+}
+
+} // namespace
+
+ExitCode runBatchJob(const CommandLine& line)
+{
+    const auto work = [&line] { return perform(line); };
+    const Result<void> result = withinMemory(work);
     return result ? kDone : fail(result.error());
 }
 

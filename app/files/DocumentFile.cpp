@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/files/DocumentFile.h"
 
+#include "app/files/SafetyCopy.h"
 #include "app/runners/Background.h"
 #include "commands/DocumentProject.h"
 #include "model/base/Parallel.h"
@@ -91,8 +92,26 @@ Result<DocumentFile::Read> DocumentFile::read(const QString& fileName, const std
     Result<Project> project = loadProject(fileName);
     if (!project)
         return project.error();
-    const QString warning = project->warning;
-    Read read{fileName, prepared(std::move(*project)), nullptr, warning, content, stamp};
+    Read read = prepare(std::move(*project), isCancelled);
+    read.fileName = fileName;
+    read.content = content;
+    read.stamp = stamp;
+    return read;
+}
+
+Result<DocumentFile::Read> DocumentFile::readCopy(const SafetyCopy& copy,
+                                                  const std::atomic<bool>& isCancelled)
+{
+    Result<Project> project = copy.read();
+    if (!project)
+        return project.error();
+    return prepare(std::move(*project), isCancelled);
+}
+
+DocumentFile::Read DocumentFile::prepare(Project project, const std::atomic<bool>& isCancelled)
+{
+    const QString warning = project.warning;
+    Read read{{}, prepared(std::move(project)), nullptr, warning, {}, {}};
     if (isCancelled)
         return read;
     leavingOneThread([&read] {
@@ -202,7 +221,11 @@ void DocumentFile::save(const QString& fileName, const QImage& thumbnail, Overwr
     runInBackground(
         this,
         [project = std::move(project), name = m_fileName, expected] {
-            return write(project, name, expected);
+            try {
+                return write(project, name, expected);
+            } catch (const std::bad_alloc&) {
+                return Outcome{.written = memoryError()};
+            }
         },
         [this, name = m_fileName](const Outcome& outcome) { finishSaving(name, outcome); });
 }

@@ -14,6 +14,7 @@
 
 namespace espalier {
 
+class SafetyCopy;
 struct PreparedScene;
 
 /// The file that a document comes from and goes to. It is written on a worker thread, from a snapshot. Of
@@ -72,6 +73,8 @@ public:
     /// Reads a project and prepares all that showing it takes; may run on any thread. What it returns once @p
     /// isCancelled is set is not whole.
     static Result<Read> read(const QString& fileName, const std::atomic<bool>& isCancelled);
+    /// The same with a safety copy.
+    static Result<Read> readCopy(const SafetyCopy& copy, const std::atomic<bool>& isCancelled);
     /// Shows a project that was read.
     void show(Read read);
     /// Takes over what a crash left: its changes are in no file, @p fileName (may be empty) is where saving
@@ -111,6 +114,7 @@ Q_SIGNALS:
 private:
     struct Outcome;
 
+    static Read prepare(Project project, const std::atomic<bool>& isCancelled);
     void forgetFile(const QString& displayName);
     void showTree(PreparedTree tree);
     void setFile(const QString& fileName, const QString& displayName);

@@ -38,7 +38,7 @@ FileController::FileController(QWidget& window, TreeDocument& document, Settings
       m_notice(&notice),
       m_thumbnail(std::move(thumbnail)),
       m_file(document),
-      m_autosave(document, m_file, settings.preferences().autosaveInterval),
+      m_autosave(document, m_file),
       m_recovery(notice),
       m_exports(notice)
 {
@@ -242,8 +242,8 @@ void FileController::recover(const Leftover& leftover)
     };
     replaceWith(
         leftover.displayName(),
-        [fileName = leftover.fileName](const auto& isCancelled) {
-            return DocumentFile::read(fileName, isCancelled);
+        [copy = SafetyCopy::ofProject(leftover.fileName)](const auto& isCancelled) {
+            return DocumentFile::readCopy(copy, isCancelled);
         },
         show, [this, leftover](const QString& sentence) { m_recovery.keepAside(leftover, sentence); });
 }
@@ -374,6 +374,13 @@ bool FileController::bringBack()
         return false;
     showAside();
     return true;
+}
+
+void FileController::leave()
+{
+    cancelOpening();
+    m_file.waitForSaving();
+    m_autosave.leave();
 }
 
 bool FileController::mayLeave()

@@ -80,6 +80,8 @@ public:
     /// Gives up the file that is being read; the document stays as it is. Returns false if there is none.
     bool cancelOpening();
 
+    /// Ends saving that is under way, and leaves what is in no file in safety copies.
+    void leave();
     /// Asks about unsaved changes and work that is under way; false if the person would rather stay, or if
     /// saving failed. Staying changes nothing, but that a document that is set aside may have come back: it
     /// is shown when there is a question about it.

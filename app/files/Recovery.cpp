@@ -15,14 +15,19 @@ namespace {
 struct Tried {
     Leftover leftover;
     QString fault;
+    bool isWorthless = false; ///< Nothing was done that could be brought back
 };
 
 std::vector<Tried> tryToRead(const std::vector<Leftover>& leftovers)
 {
     std::vector<Tried> tried;
     for (const Leftover& leftover : leftovers) {
-        const Result<Project> project = loadProject(leftover.fileName);
-        tried.push_back({leftover, project ? QString() : project.error().message});
+        const SafetyCopy copy = SafetyCopy::ofProject(leftover.fileName);
+        const Result<Project> project = copy.read();
+        const bool isSeedling = project && project->journal.empty() && project->tree.size() == 1 &&
+                                leftover.original.isEmpty() && project->look == SceneLook();
+        tried.push_back({leftover, project ? QString() : project.error().message,
+                         project && (isSeedling || !copy.hasChanges())});
     }
     return tried;
 }
@@ -61,7 +66,9 @@ void Recovery::start()
         [this](const std::vector<Tried>& tried) {
             QStringList unreadable;
             for (const Tried& one : tried) {
-                if (one.fault.isEmpty())
+                if (one.isWorthless)
+                    Autosave::discard(one.leftover);
+                else if (one.fault.isEmpty())
                     m_offers.push_back(one.leftover);
                 else
                     unreadable.append(sentenceAbout(one.leftover, one.fault));

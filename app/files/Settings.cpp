@@ -30,7 +30,6 @@ const QString kStabiliserDistance = QStringLiteral("hand/stabiliserDistance");
 const QString kStabiliserDelay = QStringLiteral("hand/stabiliserDelay");
 const QString kMouse = QStringLiteral("hand/mouse");
 const QString kUndoSteps = QStringLiteral("hand/undoSteps");
-const QString kAutosaveInterval = QStringLiteral("files/autosaveInterval");
 const QString kTourSeen = QStringLiteral("help/tourSeen");
 const QString kLanguage = QStringLiteral("window/language");
 const QString kUnits = QStringLiteral("window/units");
@@ -160,8 +159,6 @@ Preferences Settings::preferences() const
     };
     readUpTo(kStabiliserDistance, values.stabilising.distance, Stabilising::kGreatestDistance);
     readUpTo(kStabiliserDelay, values.stabilising.delay, Stabilising::kLongestDelay);
-    values.autosaveInterval = std::clamp(store.value(kAutosaveInterval, values.autosaveInterval).toInt(), 1,
-                                         Preferences::kLongestInterval);
     values.undoSteps =
         std::clamp(store.value(kUndoSteps, values.undoSteps).toInt(), 0, Preferences::kMostUndoSteps);
     values.libraryFolder = store.value(kLibraryFolder).toString();
@@ -180,7 +177,6 @@ void Settings::setPreferences(const Preferences& preferences)
     store.setValue(kStabiliserDistance, preferences.stabilising.distance);
     store.setValue(kStabiliserDelay, preferences.stabilising.delay);
     store.setValue(kMouse, static_cast<int>(preferences.mouse));
-    store.setValue(kAutosaveInterval, preferences.autosaveInterval);
     store.setValue(kUndoSteps, preferences.undoSteps);
     store.setValue(kLibraryFolder, preferences.libraryFolder);
     store.setValue(kLanguage, preferences.language);

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "model/base/Error.h"
+
 #include <QCoreApplication>
 #include <QPointer>
 #include <QThreadPool>
 
 #include <memory>
+#include <new>
+#include <type_traits>
 #include <utility>
 
 #ifdef Q_OS_LINUX
@@ -31,8 +35,32 @@ inline QThreadPool& backgroundThreads()
     return threads;
 }
 
+/// The error of work for which there is not enough memory.
+inline Error memoryError()
+{
+    return {Error::Kind::Output,
+            QCoreApplication::translate("Background", "There is not enough memory for this.")};
+}
+
+/// Returns work(). If there is not enough memory and the result can be an Error, that is the result; all that
+/// the work has made is gone then.
+template <class Work>
+auto withinMemory(Work& work) -> decltype(work())
+{
+    if constexpr (std::is_convertible_v<Error, decltype(work())>) {
+        try {
+            return work();
+        } catch (const std::bad_alloc&) {
+            return memoryError();
+        }
+    } else {
+        return work();
+    }
+}
+
 /// Calls @p work() on a worker thread, then @p done(its result) on the GUI thread, unless @p owner has been
-/// destroyed by then. @p work must own all that it uses, as snapshots and values.
+/// destroyed by then. @p work must own all that it uses, as snapshots and values. A Result<> tells if there
+/// was not enough memory.
 template <class Work, class Done>
 void runInBackground(QObject* owner, Work work, Done done)
 {
@@ -42,7 +70,7 @@ void runInBackground(QObject* owner, Work work, Done done)
             // With few cores, the window must come first. Linux ignores Qt's thread priorities.
             setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()), kBackgroundNiceness);
 #endif
-            auto result = std::make_shared<decltype(work())>(work());
+            auto result = std::make_shared<decltype(work())>(withinMemory(work));
             QMetaObject::invokeMethod(
                 QCoreApplication::instance(),
                 [guard = std::move(guard), result, done = std::move(done)]() mutable {

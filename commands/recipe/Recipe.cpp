@@ -4,9 +4,9 @@
 #include "commands/recipe/ImportOperation.h"
 #include "commands/recipe/RecipeLimits.h"
 #include "commands/recipe/RecipeText.h"
+#include "model/io/FileReader.h"
 #include "model/io/ParametersJson.h"
 
-#include <QFile>
 #include <QFileInfo>
 #include <QJsonDocument>
 
@@ -102,13 +102,10 @@ Result<Recipe> readRecipe(const QString& fileName)
         recipe.operations = {ImportOperation{std::move(*skeleton)}};
         return recipe;
     }
-    QFile file(fileName);
-    if (!file.open(QIODevice::ReadOnly))
-        return inputError(name, file.errorString());
-    // Reading one byte more than the limit is enough to find that a file is too large; a pipe has no size.
-    const qint64 size =
-        file.isSequential() ? recipeLimits::kBytes : std::min<qint64>(file.size(), recipeLimits::kBytes);
-    Result<Recipe> recipe = parseRecipe(file.read(size + 1), QFileInfo(fileName).path());
+    const Result<QByteArray> bytes = readFile(fileName, recipeLimits::kBytes, FileKind::Any);
+    if (!bytes)
+        return bytes.error();
+    Result<Recipe> recipe = parseRecipe(*bytes, QFileInfo(fileName).path());
     if (!recipe)
         return inputError(name, recipe.error().message);
     return recipe;

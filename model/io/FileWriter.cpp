@@ -6,6 +6,7 @@
 #include <QCoreApplication>
 #include <QFile>
 #include <QFileInfo>
+#include <QRandomGenerator>
 
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -60,15 +61,21 @@ QString problemWithPlace(const QFileInfo& target)
     return {};
 }
 
-/// Why Qt could not open or replace the file. Compares Qt's error text with those of known errors, because
-/// errno may have changed since.
-QString reasonOf(const QFileDevice& file, int number)
+/// A name in the folder of @p target that no file has, and that is short, whatever the target's name.
+QByteArray freeName(const QByteArray& target)
 {
-    for (const int known : {ENOSPC, EDQUOT, EROFS, EACCES, EPERM, EFBIG, EIO, ENAMETOOLONG, EMFILE, ENFILE}) {
-        if (file.errorString() == qt_error_string(known))
-            return systemReason(known);
-    }
-    return systemReason(number);
+    const QByteArray folder = target.first(target.lastIndexOf('/') + 1);
+    return folder + ".espalier-" + QByteArray::number(QRandomGenerator::global()->generate64(), 36);
+}
+
+/// Path of the file that @p fileName names, or that it links to.
+QByteArray realPath(const QString& fileName)
+{
+    QFileInfo file(fileName);
+    constexpr int kMostLinks = 40;
+    for (int i = 0; i < kMostLinks && file.isSymLink(); ++i)
+        file.setFile(file.symLinkTarget());
+    return QFile::encodeName(file.absoluteFilePath());
 }
 
 } // namespace
@@ -91,6 +98,10 @@ QString systemReason(int number)
         return WriterText::tr("the disk reports an error");
     case ENAMETOOLONG:
         return WriterText::tr("the name is too long");
+    case ELOOP:
+        return WriterText::tr("it is a link that leads back to itself");
+    case ENXIO:
+        return WriterText::tr("no program reads from this pipe");
     case EMFILE:
     case ENFILE:
         return WriterText::tr("too many files are open");
@@ -107,8 +118,16 @@ FileWriter::FileWriter(const QString& fileName) : m_fileName(fileName)
 
 FileWriter::~FileWriter()
 {
-    if (m_isDevice && m_descriptor >= 0)
-        ::close(m_descriptor);
+    closeDescriptor();
+    if (!m_temporary.isEmpty())
+        ::unlink(m_temporary.constData());
+    dropOld();
+}
+
+void FileWriter::closeDescriptor()
+{
+    if (m_descriptor >= 0)
+        ::close(std::exchange(m_descriptor, -1));
 }
 
 void FileWriter::openTarget()
@@ -119,27 +138,60 @@ void FileWriter::openTarget()
     }
     struct stat status = {};
     const QByteArray path = QFile::encodeName(m_fileName);
-    m_isDevice =
-        ::stat(path.constData(), &status) == 0 && !S_ISREG(status.st_mode) && !S_ISDIR(status.st_mode);
+    const bool isThere = ::stat(path.constData(), &status) == 0;
+    if (!isThere && (errno == ELOOP || errno == ENAMETOOLONG)) {
+        fail(errno);
+        return;
+    }
+    m_isNew = !isThere;
+    m_isDevice = isThere && !S_ISREG(status.st_mode) && !S_ISDIR(status.st_mode);
     if (m_isDevice) {
-        m_descriptor = ::open(path.constData(), O_WRONLY | O_CLOEXEC); // NOLINT
+        // Without a program that reads from it, opening a pipe would wait for ever.
+        m_descriptor = ::open(path.constData(), O_WRONLY | O_CLOEXEC | O_NONBLOCK); // NOLINT
         if (m_descriptor < 0)
             fail(errno);
+        else
+            ::fcntl(m_descriptor, F_SETFL, ::fcntl(m_descriptor, F_GETFL) & ~O_NONBLOCK); // NOLINT
         return;
     }
     if (const QString problem = problemWithPlace(QFileInfo(m_fileName)); !problem.isEmpty()) {
         fail(problem);
         return;
     }
-    m_file.setFileName(m_fileName);
-    errno = 0;
-    if (!m_file.open(QIODevice::WriteOnly | QIODevice::Unbuffered)) {
-        fail(reasonOf(m_file, errno));
+    m_target = realPath(m_fileName);
+    openTemporary();
+    if (m_descriptor >= 0 && isThere)
+        ::fchmod(m_descriptor, status.st_mode & 07777U);
+}
+
+void FileWriter::openTemporary()
+{
+    constexpr mode_t kUsual = 0666; // less the user's mask
+    const QByteArray folder = m_target.first(std::max<qsizetype>(m_target.lastIndexOf('/'), 1));
+#ifdef O_TMPFILE
+    m_descriptor = ::open(folder.constData(), O_TMPFILE | O_WRONLY | O_CLOEXEC, kUsual); // NOLINT
+    if (m_descriptor >= 0)
         return;
-    }
-    m_descriptor = m_file.handle();
-    if (m_descriptor < 0)
-        fail(0);
+#endif
+    // Not every file system has files without a name.
+    m_temporary = freeName(m_target);
+    m_descriptor = ::open(m_temporary.constData(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, kUsual); // NOLINT
+    if (m_descriptor >= 0)
+        return;
+    m_temporary.clear();
+    fail(errno);
+}
+
+void FileWriter::nameTemporary()
+{
+    if (!m_temporary.isEmpty())
+        return;
+    const QByteArray link = "/proc/self/fd/" + QByteArray::number(m_descriptor);
+    const QByteArray name = freeName(m_target);
+    if (::linkat(AT_FDCWD, link.constData(), AT_FDCWD, name.constData(), AT_SYMLINK_FOLLOW) == 0)
+        m_temporary = name;
+    else
+        fail(errno);
 }
 
 void FileWriter::fail(int number)
@@ -153,14 +205,12 @@ void FileWriter::fail(const QString& reason)
         return;
     m_result = Error{Error::Kind::Output, inputError(QFileInfo(m_fileName).fileName(), reason).message};
     setErrorString(reason);
-    if (m_file.isOpen())
-        m_file.cancelWriting();
 }
 
 void FileWriter::writeOut(const char* data, qint64 size)
 {
-    // Writes to the descriptor and not to QSaveFile, which keeps data in a buffer and does not report if that
-    // buffer could not be written in the end (Qt 6.4).
+    // Not through QSaveFile, which keeps data in a buffer and does not report if that buffer could not be
+    // written in the end (Qt 6.4).
     while (m_result && size > 0) {
         const ssize_t written = ::write(m_descriptor, data, static_cast<std::size_t>(size));
         if (written < 0 && errno == EINTR)
@@ -209,13 +259,60 @@ Result<void> FileWriter::commit()
             fail(errno);
         return m_result;
     }
-    errno = 0;
-    if (!m_file.commit()) {
-        fail(reasonOf(m_file, errno));
+    nameTemporary();
+    if (m_result && ::close(std::exchange(m_descriptor, -1)) != 0)
+        fail(errno);
+    if (m_result && ::rename(m_temporary.constData(), m_target.constData()) != 0)
+        fail(errno);
+    if (!m_result)
         return m_result;
+    m_temporary.clear();
+    syncFolder(QFileInfo(QFile::decodeName(m_target)).path());
+    return {};
+}
+
+void FileWriter::keepOld()
+{
+    if (m_isDevice)
+        return;
+    const QByteArray name = freeName(m_target);
+    if (::link(m_target.constData(), name.constData()) == 0)
+        m_old = name;
+}
+
+void FileWriter::dropOld()
+{
+    if (!m_old.isEmpty())
+        ::unlink(std::exchange(m_old, {}).constData());
+}
+
+void FileWriter::restoreOld()
+{
+    if (m_isDevice)
+        return;
+    if (m_old.isEmpty() && m_isNew)
+        ::unlink(m_target.constData());
+    else if (!m_old.isEmpty() && ::rename(m_old.constData(), m_target.constData()) == 0)
+        m_old.clear();
+}
+
+Result<void> FileWriter::commitAll(const std::vector<FileWriter*>& files)
+{
+    for (FileWriter* file : files) {
+        if (Result<void> finished = file->finish(); !finished)
+            return finished;
     }
-    const QFileInfo target(m_fileName);
-    syncFolder(target.isSymLink() ? QFileInfo(target.symLinkTarget()).absolutePath() : target.absolutePath());
+    for (std::size_t i = 0; i < files.size(); ++i) {
+        files[i]->keepOld();
+        const Result<void> committed = files[i]->commit();
+        if (committed)
+            continue;
+        while (i-- > 0)
+            files[i]->restoreOld();
+        return committed;
+    }
+    for (FileWriter* file : files)
+        file->dropOld();
     return {};
 }
 
@@ -224,6 +321,37 @@ Result<void> writeFile(const QString& fileName, const QByteArray& bytes)
     FileWriter writer(fileName);
     writer.write(bytes);
     return writer.commit();
+}
+
+Result<void> appendToFile(const QString& fileName, const QByteArray& bytes)
+{
+    const auto failed = [&fileName](int number) {
+        return Error{Error::Kind::Output,
+                     inputError(QFileInfo(fileName).fileName(), systemReason(number)).message};
+    };
+    const int descriptor = ::open(QFile::encodeName(fileName).constData(), // NOLINT
+                                  O_WRONLY | O_APPEND | O_CREAT | O_CLOEXEC, S_IRUSR | S_IWUSR);
+    if (descriptor < 0)
+        return failed(errno);
+    const off_t before = ::lseek(descriptor, 0, SEEK_END);
+    int fault = before < 0 ? errno : 0;
+    const char* data = bytes.constData();
+    for (qsizetype left = bytes.size(); fault == 0 && left > 0;) {
+        const ssize_t written = ::write(descriptor, data, static_cast<std::size_t>(left));
+        if (written > 0) {
+            data += written;
+            left -= written;
+        } else if (written == 0 || errno != EINTR) {
+            fault = written == 0 ? ENOSPC : errno;
+        }
+    }
+    if (fault == 0 && ::fdatasync(descriptor) != 0 && !cannotSync(errno))
+        fault = errno;
+    if (fault != 0 && before >= 0)
+        static_cast<void>(::ftruncate(descriptor, before));
+    if (::close(descriptor) != 0 && fault == 0)
+        fault = errno;
+    return fault == 0 ? Result<void>() : failed(fault);
 }
 
 Result<void> copyFile(const QString& from, const QString& to)

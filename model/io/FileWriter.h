@@ -5,17 +5,19 @@
 
 #include <QByteArray>
 #include <QIODevice>
-#include <QSaveFile>
+
+#include <vector>
 
 namespace espalier {
 
 /// A file that is being written. All code of this program writes files through this class
 /// (scripts/check-writers.py checks that).
 ///
-/// The text goes into a temporary file beside the target. commit() puts that file in the target's place;
-/// until then, and if anything fails, the target stays as it was. Permissions of an existing target are kept,
-/// and a symbolic link keeps pointing to its target, which is what gets replaced. A device or a pipe
-/// (/dev/stdout) cannot be replaced: it is written to at once.
+/// The text goes into a temporary file in the folder of the target, which has no name until it is whole, so a
+/// program that is killed leaves nothing (where the file system has such files). commit() puts that file in
+/// the target's place; until then, and if anything fails, the target stays as it was. Permissions of an
+/// existing target are kept, and a symbolic link keeps pointing to its target, which is what gets replaced. A
+/// device or a pipe (/dev/stdout) cannot be replaced: it is written to at once.
 ///
 /// Errors are sticky: after the first one, writing does nothing, and finish() and commit() return it.
 class FileWriter : public QIODevice {
@@ -34,6 +36,8 @@ public:
     Result<void> finish();
     /// Calls finish(), then replaces the target, then brings the folder to the disk.
     Result<void> commit();
+    /// Commits all files, or none: if one fails, those before it get back what they had.
+    static Result<void> commitAll(const std::vector<FileWriter*>& files);
 
 protected:
     qint64 readData(char*, qint64) override { return -1; }
@@ -41,6 +45,14 @@ protected:
 
 private:
     void openTarget();
+    void openTemporary();
+    /// Gives the temporary file, which is whole, the name m_temporary.
+    void nameTemporary();
+    void closeDescriptor();
+    /// Keeps what the target holds under another name until dropOld() or restoreOld().
+    void keepOld();
+    void dropOld();
+    void restoreOld();
     void flushBlock();
     void writeOut(const char* data, qint64 size);
     /// Keeps the reason of a system call that failed with @p number, unless an earlier failure is kept.
@@ -48,9 +60,12 @@ private:
     void fail(const QString& reason);
 
     QString m_fileName;
-    QSaveFile m_file;
+    QByteArray m_target;    ///< Path of the file itself, not of a link to it
+    QByteArray m_temporary; ///< Path; empty while the temporary file has no name
+    QByteArray m_old;       ///< Path of what the target held; empty if it is not kept
     int m_descriptor = -1;
     bool m_isDevice = false; ///< The target is a device or a pipe
+    bool m_isNew = false;    ///< There was no target before
     bool m_isFinished = false;
     QByteArray m_block; ///< Small pieces that wait to be written together
     Result<void> m_result;
@@ -62,6 +77,11 @@ Result<void> writeFile(const QString& fileName, const QByteArray& bytes);
 
 /// Copies the content of a file; the target is replaced whole or stays as it was.
 Result<void> copyFile(const QString& from, const QString& to);
+
+/// Adds @p bytes at the end of a file, which is made if it is not there, and brings them to the disk. If that
+/// fails, the file is cut back to what it was, as far as the disk allows: a reader must be able to tell a
+/// piece that is not whole.
+Result<void> appendToFile(const QString& fileName, const QByteArray& bytes);
 
 /// Why a system call failed with @p number (errno), in words for the user: "the disk is full".
 QString systemReason(int number);

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/io/ImageFile.h"
 
+#include "model/io/FileReader.h"
+#include "model/io/ImageStructure.h"
 #include "model/io/JsonReader.h"
 
 #include <QBuffer>
 #include <QCoreApplication>
 #include <QDir>
-#include <QFile>
 #include <QFileInfo>
 #include <QImageReader>
 
@@ -24,19 +25,6 @@ struct ImageText {
 Error tooManyBytes(const QString& name, qsizetype most)
 {
     return inputError(name, ImageText::tr("it is larger than %1 MB").arg(most >> 20));
-}
-
-Result<QByteArray> readBytes(const QString& fileName, const QString& name, qsizetype most)
-{
-    // Reading a pipe or a device might never end.
-    if (!QFileInfo(fileName).isFile())
-        return inputError(name, ImageText::tr("there is no such file"));
-    QFile file(fileName);
-    if (!file.open(QIODevice::ReadOnly))
-        return inputError(name, file.errorString());
-    if (file.size() > most)
-        return tooManyBytes(name, most);
-    return file.readAll();
 }
 
 /// The bytes of an image file with these pixels: PNG if any of them may be transparent, else JPEG.
@@ -76,6 +64,8 @@ Result<ImageAsset> glanceAtImage(const QByteArray& file, const QString& name)
     if (std::min(size.width(), size.height()) < imageLimits::kLeastEdge)
         return inputError(
             name, ImageText::tr("it is too small: only %1 × %2 pixels").arg(size.width()).arg(size.height()));
+    if (const QString fault = imageStructureFault(file, size); !fault.isEmpty())
+        return inputError(name, fault);
     return ImageAsset(file, name);
 }
 
@@ -90,18 +80,20 @@ Result<ImageAsset> readImage(const QByteArray& file, const QString& name)
 Result<ImageAsset> readImageFile(const QString& fileName, const QString& name)
 {
     const QString shown = name.isEmpty() ? QFileInfo(fileName).fileName() : name;
-    const Result<QByteArray> file = readBytes(fileName, shown, imageLimits::kBytes);
+    const Result<QByteArray> file = readFile(fileName, imageLimits::kBytes);
     return file ? readImage(*file, shown) : file.error();
 }
 
 Result<ImageAsset> readPictureFile(const QString& fileName)
 {
     const QString name = QFileInfo(fileName).fileName();
-    Result<QByteArray> file = readBytes(fileName, name, imageLimits::kPictureBytes);
+    Result<QByteArray> file = readFile(fileName, imageLimits::kPictureBytes);
     if (!file)
         return file.error();
     if (const Result<ImageAsset> image = readImage(*file, name))
         return image;
+    allowLargeImages();
+    const QByteArray format = imageFormat(*file);
     QBuffer buffer(&*file);
     QImageReader reader(&buffer);
     reader.setDecideFormatFromContent(true);
@@ -109,6 +101,10 @@ Result<ImageAsset> readPictureFile(const QString& fileName)
     if (const QSize size = reader.size(); std::max(size.width(), size.height()) > ImageAsset::kLargestEdge)
         reader.setScaledSize(
             size.scaled(ImageAsset::kLargestEdge, ImageAsset::kLargestEdge, Qt::KeepAspectRatio));
+    if (!format.isEmpty()) {
+        if (const QString fault = imageStructureFault(*file, reader.size()); !fault.isEmpty())
+            return inputError(name, fault);
+    }
     const QImage pixels = reader.read();
     if (pixels.isNull())
         return inputError(name, ImageText::tr("it is not a picture that can be read"));

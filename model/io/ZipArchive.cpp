@@ -8,6 +8,8 @@
 
 #include <zip.h>
 
+#include <limits>
+
 namespace espalier {
 
 namespace {
@@ -21,6 +23,10 @@ constexpr zip_uint32_t kFastLevel = 1;
 /// 1 January 1980, midnight: the earliest time in a ZIP archive.
 constexpr zip_uint16_t kFixedDate = 1 << 5 | 1;
 constexpr zip_uint16_t kFixedTime = 0;
+/// What all entries together may claim: so many times the size of the archive, and a little for small ones.
+/// The columns of a tree pack to a third, those of a history to a tenth.
+constexpr std::uint64_t kMaximumGrowth = 64;
+constexpr std::uint64_t kAlwaysAllowed = 8 << 20; // bytes
 /// Deflate cannot pack tighter than 1032 : 1; a little more for headers.
 constexpr std::uint64_t kMaximumRatio = 1040;
 
@@ -118,8 +124,23 @@ Result<ZipReader> ZipReader::openSource(zip_source_t* source)
                                   .arg(QString::fromUtf8(zip_error_strerror(&error))));
     }
     ZipReader reader(archive);
-    if (zip_get_num_entries(archive, 0) <= 0) // to libzip an empty file is an empty archive
+    const zip_int64_t entries = zip_get_num_entries(archive, 0);
+    if (entries <= 0) // to libzip an empty file is an empty archive
         return inputError({}, ZipText::tr("it is not a project file: it is empty"));
+    std::uint64_t packed = 0;
+    std::uint64_t unpacked = 0;
+    for (zip_int64_t i = 0; i < entries; ++i) {
+        zip_stat_t stat;
+        if (zip_stat_index(archive, static_cast<zip_uint64_t>(i), 0, &stat) != 0)
+            continue;
+        packed += (stat.valid & ZIP_STAT_COMP_SIZE) != 0 ? stat.comp_size : 0;
+        const zip_uint64_t size = (stat.valid & ZIP_STAT_SIZE) != 0 ? stat.size : 0;
+        if (size > std::numeric_limits<std::uint64_t>::max() - unpacked)
+            return inputError({}, ZipText::tr("it claims to hold far more than its size allows"));
+        unpacked += size;
+    }
+    if (unpacked > kAlwaysAllowed + kMaximumGrowth * packed)
+        return inputError({}, ZipText::tr("it claims to hold far more than its size allows"));
     return reader;
 }
 

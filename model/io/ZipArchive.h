@@ -33,8 +33,9 @@ private:
     std::vector<Entry> m_entries;
 };
 
-/// Reads the entries of a ZIP archive without trusting it: before an entry is unpacked, its declared size is
-/// compared with the expected size and with what its packed bytes can hold at most.
+/// Reads the entries of a ZIP archive without trusting it: an archive whose entries together claim to be many
+/// times as large as the archive is refused, and before an entry is unpacked, its declared size is compared
+/// with the expected size and with what its packed bytes can hold at most.
 class ZipReader {
 public:
     /// @p content must stay as it is while the reader lives.

@@ -27,16 +27,14 @@ struct Stabilising {
 struct Preferences {
     static constexpr double kSoftest = 0.25;
     static constexpr double kFirmest = 4.0;
-    static constexpr int kLongestInterval = 3600;
     static constexpr int kMostUndoSteps = 10'000;
 
     Look look = Look::Dark;
     bool areToolsRight = false; ///< The bar of tools is on the right, for people who draw with the left hand
     double pressureExponent = 1.0; ///< kSoftest...kFirmest; see PointerReader::setPressureExponent
     MouseScheme mouse = MouseScheme::Espalier;
-    int autosaveInterval = 20; ///< Shortest time between two autosaves, s, 1...kLongestInterval
-    int undoSteps = 0;         ///< Number of undo steps that are kept, 0...kMostUndoSteps; 0 for all
-    QString libraryFolder{};   ///< Folder of the library's trees; empty for a folder among the program's data
+    int undoSteps = 0;       ///< Number of undo steps that are kept, 0...kMostUndoSteps; 0 for all
+    QString libraryFolder{}; ///< Folder of the library's trees; empty for a folder among the program's data
     Units units = Units::Metric;
     QString language{}; ///< One of Preferences::languages(); empty for the system's language
     Stabilising stabilising{};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/texture/LeafCut.h"
 
+#include "model/texture/AllocatedImage.h"
 #include "model/texture/TextureShading.h"
 
 #include <algorithm>
@@ -30,7 +31,7 @@ QImage noLargerThan(const QImage& image, int edge)
 {
     if (std::max(image.width(), image.height()) <= edge)
         return image;
-    return image.scaled(edge, edge, Qt::KeepAspectRatio, Qt::SmoothTransformation);
+    return allocated(image.scaled(edge, edge, Qt::KeepAspectRatio, Qt::SmoothTransformation));
 }
 
 int distance(const uchar* a, const std::array<int, 3>& b)
@@ -246,7 +247,7 @@ std::optional<QImage> cutLeaf(const ImageAsset& asset, int size)
     const QImage pixels = asset.colours();
     if (pixels.isNull())
         return {};
-    QImage image = noLargerThan(pixels, size).convertToFormat(QImage::Format_RGBA8888);
+    QImage image = allocated(noLargerThan(pixels, size).convertToFormat(QImage::Format_RGBA8888));
     const bool hasAlpha = pixels.hasAlphaChannel() && isTransparentAnywhere(image);
     if (!hasAlpha && !takeBackgroundOut(image))
         return {};
@@ -255,9 +256,9 @@ std::optional<QImage> cutLeaf(const ImageAsset& asset, int size)
         return {};
     // In a photograph an edge is blurred over a few pixels.
     const int margin = hasAlpha ? 0 : 2;
-    image = image.copy(leaf.adjusted(-margin, -margin, margin, margin));
+    image = allocated(image.copy(leaf.adjusted(-margin, -margin, margin, margin)));
     spreadColours(image, margin);
-    return image.copy(QRect(QPoint(margin, margin), leaf.size()));
+    return allocated(image.copy(QRect(QPoint(margin, margin), leaf.size())));
 }
 
 } // namespace espalier

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/texture/OwnTextures.h"
 
+#include "model/texture/AllocatedImage.h"
 #include "model/texture/LeafCut.h"
 #include "model/texture/RepeatingTile.h"
 #include "model/texture/TextureShading.h"
@@ -27,7 +28,7 @@ constexpr float kLeafRelief = 0.008F;
 /// Perceived brightness, 0...1.
 HeightMap lightness(const QImage& image)
 {
-    const QImage grey = image.convertToFormat(QImage::Format_Grayscale8);
+    const QImage grey = allocated(image.convertToFormat(QImage::Format_Grayscale8));
     HeightMap map{{}, grey.width(), grey.height()};
     map.values.reserve(static_cast<std::size_t>(grey.width()) * static_cast<std::size_t>(grey.height()));
     for (int y = 0; y < grey.height(); ++y) {
@@ -72,7 +73,7 @@ QImage roughnessMap(const HeightMap& lightness, float middle)
     for (const float value : lightness.values)
         sum += static_cast<double>(value);
     const auto mean = static_cast<float>(sum / static_cast<double>(lightness.values.size()));
-    QImage image(lightness.width, lightness.height, QImage::Format_Grayscale8);
+    QImage image = allocated(QImage(lightness.width, lightness.height, QImage::Format_Grayscale8));
     for (int y = 0; y < image.height(); ++y) {
         uchar* const line = image.scanLine(y);
         for (int x = 0; x < image.width(); ++x) {
@@ -86,7 +87,9 @@ QImage roughnessMap(const HeightMap& lightness, float middle)
 /// Several repeats of a tile can be a pixel or two short; this scales all images of one material to one size.
 QImage sized(const QImage& image, const QSize& size)
 {
-    return image.size() == size ? image : image.scaled(size, Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
+    return image.size() == size
+               ? image
+               : allocated(image.scaled(size, Qt::IgnoreAspectRatio, Qt::SmoothTransformation));
 }
 
 } // namespace
@@ -121,7 +124,7 @@ SurfaceTextures barkTextures(const BarkParameters& bark, int size)
     const QImage pixels = bark.image.colours();
     if (pixels.isNull())
         return barkTextures(bark.kind, size);
-    const QImage image = pixels.convertToFormat(QImage::Format_RGB888);
+    const QImage image = allocated(pixels.convertToFormat(QImage::Format_RGB888));
     const RepeatingTile tile(image, size);
     SurfaceTextures textures;
     textures.colour = tile.of(image);
@@ -148,7 +151,7 @@ SurfaceTextures leafTextures(const LeafParameters& leaves, int size)
         leaf = cutLeaf(leaves.image, size);
     if (!leaf)
         return leafTextures(leaves.shape, size);
-    const HeightMap light = lightness(leaf->convertToFormat(QImage::Format_RGB888));
+    const HeightMap light = lightness(allocated(leaf->convertToFormat(QImage::Format_RGB888)));
     const float edge = static_cast<float>(std::max(leaf->width(), leaf->height()));
     return {*leaf, normalMap(smoothedMap(light, false), kLeafRelief * edge, false),
             roughnessMap(light, 0.55F)};

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/texture/RepeatingTile.h"
 
+#include "model/texture/AllocatedImage.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -61,7 +63,8 @@ QImage withoutSeam(const QImage& image, bool rows)
     const int whole = rows ? image.height() : image.width();
     const int band = whole / 8;
     const int kept = whole - band;
-    QImage result = rows ? image.copy(0, 0, image.width(), kept) : image.copy(0, 0, kept, image.height());
+    QImage result =
+        allocated(rows ? image.copy(0, 0, image.width(), kept) : image.copy(0, 0, kept, image.height()));
     for (int i = 0; i < band; ++i) {
         // The pixels before the first row are those that follow the last kept one.
         const int share = 255 * (2 * i + 1) / (2 * band);
@@ -90,7 +93,7 @@ RepeatingTile::RepeatingTile(const QImage& image, int size)
 
 QImage RepeatingTile::of(QImage image) const
 {
-    image = image.convertToFormat(QImage::Format_RGB888);
+    image = allocated(image.convertToFormat(QImage::Format_RGB888));
     if (m_fadesRows)
         image = withoutSeam(image, true);
     if (m_fadesColumns)
@@ -103,7 +106,7 @@ QImage RepeatingTile::of(QImage image) const
                 .convertToFormat(QImage::Format_RGB888);
     if (m_repeats == QSize(1, 1))
         return image;
-    QImage tiled(across * image.width(), along * image.height(), QImage::Format_RGB888);
+    QImage tiled = allocated(QImage(across * image.width(), along * image.height(), QImage::Format_RGB888));
     const auto bytes = static_cast<std::size_t>(3 * image.width());
     for (int y = 0; y < tiled.height(); ++y) {
         for (int i = 0; i < across; ++i)

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/texture/TextureShading.h"
 
+#include "model/texture/AllocatedImage.h"
+
 namespace espalier {
 
 QImage normalMap(const HeightMap& heights, float relief, bool repeats)
 {
     const auto columns = static_cast<std::size_t>(heights.width);
     const auto rows = static_cast<std::size_t>(heights.height);
-    QImage image(heights.width, heights.height, QImage::Format_RGB888);
+    QImage image = allocated(QImage(heights.width, heights.height, QImage::Format_RGB888));
     uchar* const bytes = image.bits();
     const auto stride = static_cast<std::size_t>(image.bytesPerLine());
     const auto before = [repeats](std::size_t i, std::size_t count) {

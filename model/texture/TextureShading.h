@@ -2,6 +2,7 @@
 #pragma once
 
 #include "model/base/Parallel.h"
+#include "model/texture/AllocatedImage.h"
 #include "model/texture/Textures.h"
 
 #include <algorithm>
@@ -67,7 +68,7 @@ inline constexpr std::size_t kRowsPerTask = 32;
 template <class Paint>
 QImage paintPixels(int size, QImage::Format format, const Paint& paint)
 {
-    QImage image(size, size, format);
+    QImage image = allocated(QImage(size, size, format));
     uchar* bytes = image.bits();
     const auto stride = static_cast<std::size_t>(image.bytesPerLine());
     const float pixel = 1.0F / static_cast<float>(size);
@@ -107,9 +108,9 @@ SurfaceTextures paintSurface(int size, const Texture& texture, float relief, boo
     {
         t(0.0F, 0.0F).alpha;
     };
-    SurfaceTextures images{QImage(size, size, hasAlpha ? QImage::Format_RGBA8888 : QImage::Format_RGB888),
-                           {},
-                           QImage(size, size, QImage::Format_Grayscale8)};
+    const QImage::Format format = hasAlpha ? QImage::Format_RGBA8888 : QImage::Format_RGB888;
+    SurfaceTextures images{
+        allocated(QImage(size, size, format)), {}, allocated(QImage(size, size, QImage::Format_Grayscale8))};
     const auto count = static_cast<std::size_t>(size);
     HeightMap heights{std::vector<float>(count * count), size, size};
     const float pixel = 1.0F / static_cast<float>(size);

@@ -17,6 +17,7 @@ namespace {
 
 QImage unpack(const QByteArray& file)
 {
+    allowLargeImages();
     QBuffer buffer;
     buffer.setData(file);
     QImageReader reader(&buffer, imageFormat(file));
@@ -68,6 +69,15 @@ private:
 };
 
 } // namespace
+
+void allowLargeImages()
+{
+    constexpr int kMegabytes = 320; // 8192 × 8192 pixels take 256
+    [[maybe_unused]] static const bool isSet = [] {
+        QImageReader::setAllocationLimit(kMegabytes);
+        return true;
+    }();
+}
 
 QByteArray imageFormat(const QByteArray& file)
 {

@@ -49,6 +49,9 @@ private:
     std::shared_ptr<const Data> m_data;
 };
 
+/// Lets Qt unpack images of up to 8192 × 8192 pixels; without this, it refuses those of more than 128 MB.
+void allowLargeImages();
+
 /// The format of an image file, from its first bytes: "png", "jpeg", or empty if it is neither.
 QByteArray imageFormat(const QByteArray& file);
 

@@ -315,8 +315,10 @@ void FilesTest::crash_losesNothingThatWasFinished()
     const QDir place(Autosave::folder());
     const QStringList projects = place.entryList({QStringLiteral("*.espalier")}, QDir::Files);
     QCOMPARE(projects.size(), 1);
-    QVERIFY(QFile::copy(place.filePath(projects.constFirst()),
-                        place.filePath(QStringLiteral("crashed.espalier"))));
+    const QString base = place.filePath(projects.constFirst().chopped(9));
+    const QString crashed = place.filePath(QStringLiteral("crashed"));
+    for (const char* suffix : {".espalier", ".changes", ".origin"})
+        QVERIFY(QFile::copy(base + QLatin1String(suffix), crashed + QLatin1String(suffix)));
     m_window->document().undoStack().setClean();
     m_window = std::make_unique<MainWindow>();
     m_window->show();

@@ -149,7 +149,6 @@ void SettingsTest::preferences_areRemembered()
     QComboBox* language = box(sheet, "language");
     QCOMPARE(language->count(), 6);
     language->setCurrentIndex(language->findData(QStringLiteral("ja")));
-    sheet.findChild<QSpinBox*>(QStringLiteral("autosave"))->setValue(90);
     sheet.findChild<QSpinBox*>(QStringLiteral("undo"))->setValue(40);
     sheet.findChild<QSlider*>(QStringLiteral("softness"))->setValue(-50);
     QCOMPARE(Settings().interfaceScale(), 100);
@@ -161,7 +160,6 @@ void SettingsTest::preferences_areRemembered()
     QCOMPARE(kept.mouse, MouseScheme::Maya);
     QVERIFY(kept.areToolsRight);
     QCOMPARE(kept.language, QStringLiteral("ja"));
-    QCOMPARE(kept.autosaveInterval, 90);
     QCOMPARE(kept.undoSteps, 40);
     QCOMPARE(kept.pressureExponent, 0.5);
     QVERIFY(kept == sheet.preferences());
@@ -178,14 +176,12 @@ void SettingsTest::nonsense_isTheDefaultOrTheNearest()
     store.setValue(QStringLiteral("hand/pressureExponent"), QStringLiteral("nan"));
     store.setValue(QStringLiteral("hand/undoSteps"), -5);
     store.setValue(QStringLiteral("window/language"), QStringLiteral("klingon"));
-    store.setValue(QStringLiteral("files/autosaveInterval"), 1'000'000);
     const Preferences read = Settings().preferences();
     QCOMPARE(read.look, Look::Dark);
     QCOMPARE(read.mouse, MouseScheme::Espalier);
     QCOMPARE(read.pressureExponent, 1.0);
     QCOMPARE(read.undoSteps, 0);
     QVERIFY(read.language.isEmpty());
-    QCOMPARE(read.autosaveInterval, Preferences::kLongestInterval);
     store.setValue(QStringLiteral("hand/pressureExponent"), 100.0);
     QCOMPARE(Settings().preferences().pressureExponent, Preferences::kFirmest);
 }
@@ -417,7 +413,7 @@ void SettingsTest::recipes_areNotHeldToTheUndoSteps()
 
 void SettingsTest::defaults_bringAllBack()
 {
-    Preferences others{Look::Light, true, 2.0, MouseScheme::Blender, 60, 50, QDir::tempPath()};
+    Preferences others{Look::Light, true, 2.0, MouseScheme::Blender, 50, QDir::tempPath()};
     SettingsSheet sheet(others);
     QVERIFY(sheet.preferences() == others);
     for (auto* button : sheet.findChildren<QPushButton*>()) {

@@ -77,6 +77,7 @@ Soak::Soak(const SoakOptions& options, const QString& recipeFile)
                          .operations = {}})
 {
     m_document.reset(options.seed, m_random.parameters());
+    beginCopy();
 }
 
 int Soak::undoable() const
@@ -103,6 +104,8 @@ QString Soak::run()
         m_mostLiving = std::max(m_mostLiving, m_document.index().livingCount());
         m_longestHistory =
             std::max(m_longestHistory, m_document.journal().size() + m_document.future().size());
+        if (const QString fault = followByCopy(false); !fault.isEmpty())
+            return fault;
         if (m_random.onceIn(m_options.checkEvery)) {
             if (const QString fault = check(); !fault.isEmpty())
                 return fault;
@@ -117,8 +120,54 @@ QString Soak::run()
     return replay();
 }
 
+void Soak::beginCopy()
+{
+    m_follower.start();
+    // A copy of the deltas, too: the document writes rows into its own.
+    m_copy.emplace(*unpackProject(*packProject(projectOf(m_document, QStringLiteral("soak")))));
+}
+
+QString Soak::followByCopy(bool whole)
+{
+    // Now and then the work is cut into pieces, between which the document goes on.
+    const bool isCut = !whole && operationsDone() % 3 == 0;
+    const std::chrono::microseconds budget(isCut ? 0 : 1'000'000'000);
+    const std::optional<HistoryChange> change = m_follower.collect(budget);
+    if (!change)
+        return {};
+    const Result<QByteArray> packed = packChange(*change, m_copiedImages);
+    const Result<void> made = packed ? m_copy->add(*packed) : packed.error();
+    if (!made)
+        return QStringLiteral("the copy: ") + made.error().message;
+    ++m_changes;
+    return {};
+}
+
+QString Soak::checkCopy()
+{
+    if (const QString fault = followByCopy(true); !fault.isEmpty())
+        return fault;
+    if (m_follower.isBehind())
+        return QStringLiteral("the copy's follower is still behind");
+    const Project document = projectOf(m_document, {});
+    const Project& copy = m_copy->project();
+    const auto isSame = [](const auto& a, const auto& b) {
+        const bool isSameRecord = (a->record == nullptr) == (b->record == nullptr) &&
+                                  (a->record == nullptr || *a->record == *b->record);
+        return isSameRecord && *a == *b;
+    };
+    if (copy.ahead != document.ahead || !(copy.tree == document.tree) ||
+        !std::ranges::equal(copy.journal, document.journal, isSame))
+        return QStringLiteral("the copy that follows the document differs from it");
+    if (const Result<void> sound = checkProject(copy); !sound)
+        return QStringLiteral("the copy that follows the document: ") + sound.error().message;
+    return {};
+}
+
 QString Soak::saveAndReload()
 {
+    if (const QString fault = checkCopy(); !fault.isEmpty())
+        return fault;
     const QString fileName = m_folder.filePath(QStringLiteral("soak.espalier"));
     if (const auto saved = saveProject(projectOf(m_document, QStringLiteral("soak")), fileName); !saved)
         return QStringLiteral("saving: ") + saved.error().message;
@@ -140,6 +189,7 @@ QString Soak::saveAndReload()
     const Result<QByteArray> again = packProject(projectOf(m_document, QStringLiteral("soak")));
     if (!file.open(QIODevice::ReadOnly) || !again || file.readAll() != *again)
         return QStringLiteral("what was read, saved again, gives another file");
+    beginCopy();
     ++m_reloads;
     m_reloadsInThePast += m_document.future().empty() ? 0 : 1;
     return {};
@@ -148,6 +198,8 @@ QString Soak::saveAndReload()
 QString Soak::check()
 {
     ++m_checks;
+    if (const QString fault = checkCopy(); !fault.isEmpty())
+        return fault;
     if (const QString fault = indexFault(m_document); !fault.isEmpty())
         return QStringLiteral("the indices are not those of the tree: ") + fault;
 
@@ -224,7 +276,7 @@ QString Soak::figures() const
         done += QStringLiteral("%1 %2").arg(name).arg(m_done.value(name));
     return QStringLiteral(
                "%1 operations (%2); read back %3 times, %4 of them in the past; %5 checks; at most %6 "
-               "living internodes and %7 deltas of history; %8 rows in the end")
+               "living internodes and %7 deltas of history; %8 rows in the end; %9 changes followed")
         .arg(operationsDone())
         .arg(done.join(QStringLiteral(", ")))
         .arg(m_reloads)
@@ -232,7 +284,8 @@ QString Soak::figures() const
         .arg(m_checks)
         .arg(m_mostLiving)
         .arg(m_longestHistory)
-        .arg(m_document.tree().size());
+        .arg(m_document.tree().size())
+        .arg(m_changes);
 }
 
 } // namespace espalier::test

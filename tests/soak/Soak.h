@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "commands/HistoryFollower.h"
+#include "model/io/project/HistoryChange.h"
 #include "tests/soak/RandomOperations.h"
 #include "tests/soak/RecipeLog.h"
 
@@ -20,6 +22,9 @@ struct SoakOptions {
 /// A document to which random operations of all kinds are applied, and which is saved and read back now and
 /// then. The operations are kept as a recipe; played in a new document, without files, the recipe must lead
 /// to an equal document.
+///
+/// After each operation, what has changed is packed and made to a copy of the document as well, as safety
+/// copies do; the copy must stay equal to the document.
 ///
 /// Reading a file loses the undo stack. The recipe is played without files, so nothing is undone beyond the
 /// last reading, nor the command that would have joined a travel before it.
@@ -54,6 +59,11 @@ private:
     };
 
     int undoable() const;
+    /// The beginning of a copy that follows the document.
+    void beginCopy();
+    /// Makes the last change to the copy; only a part of the work, sometimes, if it need not be @p whole.
+    QString followByCopy(bool whole);
+    QString checkCopy();
     QString saveAndReload();
     QString check();
     QString replay();
@@ -61,6 +71,10 @@ private:
     SoakOptions m_options;
     RandomOperations m_random;
     TreeDocument m_document;
+    HistoryFollower m_follower{m_document};
+    std::optional<HistoryReplay> m_copy;
+    QSet<QString> m_copiedImages;
+    std::size_t m_changes = 0;
     QTemporaryDir m_folder;
     RecipeLog m_log;
     int m_restored = 0; ///< Commands that the last reading restored

@@ -19,6 +19,7 @@ int goodCallsLeft = 0;
 int errorNumber = 0;
 std::atomic<int> callCount = 0;
 std::atomic<int> firstNaming = -1;
+std::atomic<int> goodRenamesLeft = -1; // Below 0 if renames are calls as all others
 
 bool isAtRisk(const QByteArray& path)
 {
@@ -85,6 +86,10 @@ int fdatasync(int descriptor)
 
 int rename(const char* from, const char* to) noexcept
 {
+    if (isAtRisk(QByteArray(to)) && goodRenamesLeft >= 0 && goodRenamesLeft-- == 0) {
+        errno = errorNumber;
+        return -1;
+    }
     if (isAtRisk(QByteArray(to)) && fails(true))
         return -1;
     static auto* const call = real<int(const char*, const char*)>("rename");
@@ -112,9 +117,15 @@ FaultyDisk::FaultyDisk(const QString& folder, int goodCalls, int error)
     folderAtRisk = QFile::encodeName(folder) + '/';
 }
 
+FaultyDisk::FaultyDisk(const QString& folder, Renames renames, int error) : FaultyDisk(folder, kNever, error)
+{
+    goodRenamesLeft = renames.good;
+}
+
 FaultyDisk::~FaultyDisk()
 {
     folderAtRisk.clear();
+    goodRenamesLeft = -1;
 }
 
 int FaultyDisk::calls() const

@@ -15,6 +15,11 @@ public:
     /// @p goodCalls: how many calls succeed before all others fail with @p error (errno); kNever for a good
     /// disk, which only counts.
     FaultyDisk(const QString& folder, int goodCalls, int error);
+    struct Renames {
+        int good;
+    };
+    /// The rename after @p renames.good good ones fails, and nothing else.
+    FaultyDisk(const QString& folder, Renames renames, int error);
     ~FaultyDisk();
     FaultyDisk(const FaultyDisk&) = delete;
     FaultyDisk& operator=(const FaultyDisk&) = delete;

@@ -60,7 +60,6 @@ void FilesFixture::init()
     QVERIFY(m_folder->isValid());
     QDir(Autosave::folder()).removeRecursively();
     QSettings().clear();
-    QSettings().setValue(QStringLiteral("files/autosaveInterval"), 1);
     m_questions = 0;
 }
 
@@ -97,6 +96,20 @@ void FilesFixture::answer(const QString& objectName)
 QStringList FilesFixture::copies()
 {
     return QDir(Autosave::folder()).entryList({QStringLiteral("*.espalier")}, QDir::Files);
+}
+
+void FilesFixture::leaveACopy(const char* name)
+{
+    for (const QString& copy : copies()) {
+        const SafetyCopy own = SafetyCopy::ofProject(Autosave::folder() + QLatin1Char('/') + copy);
+        if (FileLock::taken(own.lockFile()))
+            continue;
+        const SafetyCopy left(Autosave::folder() + QLatin1Char('/') + QLatin1String(name));
+        put(left.projectFile(), bytesOf(own.projectFile()));
+        put(left.originFile(), bytesOf(own.originFile()));
+        if (QFileInfo::exists(own.changesFile()))
+            put(left.changesFile(), bytesOf(own.changesFile()));
+    }
 }
 
 void FilesFixture::save(FilesWindow& window, const QString& fileName)

@@ -49,6 +49,9 @@ protected:
     int questions() const { return m_questions; }
     /// Safety copies of all programs.
     static QStringList copies();
+    /// Copies the files of the safety copy that a living program writes, under @p name, as a crash would
+    /// leave them.
+    static void leaveACopy(const char* name);
     void save(FilesWindow& window, const QString& fileName);
     void open(FilesWindow& window, const QString& fileName);
     static void put(const QString& fileName, const QByteArray& content);

@@ -34,7 +34,6 @@ void WindowFixture::init()
     m_folder = std::make_unique<QTemporaryDir>();
     QVERIFY(m_folder->isValid());
     QSettings().clear();
-    QSettings().setValue(QStringLiteral("files/autosaveInterval"), 1);
     if (!m_window)
         m_window = std::make_unique<MainWindow>();
     m_window->resize(m_size);

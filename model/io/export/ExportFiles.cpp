@@ -96,11 +96,10 @@ Result<void> ExportFiles::commit()
         }
     }
     std::ranges::stable_partition(m_entries, &Entry::isCompanion);
-    for (const Entry& entry : m_entries) {
-        if (Result<void> committed = entry.file->commit(); !committed)
-            return committed;
-    }
-    return {};
+    std::vector<FileWriter*> files;
+    for (const Entry& entry : m_entries)
+        files.push_back(entry.file.get());
+    return FileWriter::commitAll(files);
 }
 
 } // namespace espalier

@@ -5,6 +5,7 @@
 #include "model/mesh/LeafCard.h"
 #include "model/mesh/UvWrap.h"
 #include "model/mesh/WoodMesh.h"
+#include "model/texture/AllocatedImage.h"
 #include "model/texture/OwnTextures.h"
 
 #include <QBuffer>
@@ -82,7 +83,8 @@ LeafTiles chooseTiles(std::span<const LeafInstance> leaves)
 QImage inARow(const std::vector<QImage>& images)
 {
     const QImage& first = images.front();
-    QImage row(first.width() * static_cast<int>(images.size()), first.height(), first.format());
+    QImage row =
+        allocated(QImage(first.width() * static_cast<int>(images.size()), first.height(), first.format()));
     const auto bytes = static_cast<std::size_t>(first.width()) * static_cast<std::size_t>(first.depth() / 8);
     for (std::size_t i = 0; i < images.size(); ++i) {
         for (int y = 0; y < row.height(); ++y)

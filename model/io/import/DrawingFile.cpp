@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/io/import/DrawingFile.h"
 
+#include "model/io/FileReader.h"
 #include "model/io/JsonReader.h"
 
 #include <QCoreApplication>
-#include <QFile>
 #include <QFileInfo>
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -196,14 +196,11 @@ Result<DrawingStrokes> readQuickDraw(const QByteArray& bytes, int index)
 Result<DrawingStrokes> readDrawing(const QString& fileName, int index)
 {
     const QString name = QFileInfo(fileName).fileName();
-    QFile file(fileName);
-    if (!file.open(QIODevice::ReadOnly))
-        return inputError(name, file.errorString());
-    if (file.size() > kMostDrawingBytes)
-        return inputError(name, DrawingText::tr("it is larger than 32 MB"));
-    const QByteArray bytes = file.readAll();
+    const Result<QByteArray> bytes = readFile(fileName, kMostDrawingBytes, FileKind::Any);
+    if (!bytes)
+        return bytes.error();
     const bool isSvg = QFileInfo(fileName).suffix().toLower() == QLatin1String("svg");
-    Result<DrawingStrokes> strokes = isSvg ? readSvg(bytes) : readQuickDraw(bytes, index);
+    Result<DrawingStrokes> strokes = isSvg ? readSvg(*bytes) : readQuickDraw(*bytes, index);
     if (!strokes)
         return inputError(name, strokes.error().message);
     if (strokes->empty())

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/io/import/Skeleton.h"
 
+#include "model/io/FileReader.h"
 #include "model/io/JsonReader.h"
 #include "model/io/import/SkeletonText.h"
 #include "model/tree/TreeTables.h"
 
 #include <QByteArrayView>
-#include <QFile>
 #include <QFileInfo>
 
 #include <algorithm>
@@ -216,13 +216,11 @@ Result<Skeleton> readSkeleton(const QByteArray& table)
 Result<Skeleton> readSkeletonFile(const QString& fileName)
 {
     const QString shown = QFileInfo(fileName).fileName();
-    QFile file(fileName);
-    if (!file.open(QIODevice::ReadOnly))
-        return inputError(shown, file.errorString());
     constexpr qint64 kMostBytes = qint64{kMostSegments} * kLongestLine;
-    if (file.size() > kMostBytes)
-        return inputError(shown, SkeletonText::tr("it is larger than %1 MB").arg(kMostBytes >> 20));
-    Result<Skeleton> skeleton = readSkeleton(file.readAll());
+    const Result<QByteArray> bytes = readFile(fileName, kMostBytes, FileKind::Any);
+    if (!bytes)
+        return bytes.error();
+    Result<Skeleton> skeleton = readSkeleton(*bytes);
     if (!skeleton)
         return inputError(shown, skeleton.error().message);
     return skeleton;

@@ -249,11 +249,11 @@ std::optional<std::uint32_t> firstBirth(const Numbers& born, std::uint32_t rows)
     return sum <= rows ? std::optional(static_cast<std::uint32_t>(rows - sum)) : std::nullopt;
 }
 
-/// Reads all columns of @p deltas deltas, whose last one leads to @p content.
-Result<void> read(const ZipReader& archive, std::uint32_t deltas, const TreeContent& content,
+/// Reads all columns of @p deltas deltas, whose last one leads to a tree of those sizes.
+Result<void> read(const ZipReader& archive, std::uint32_t deltas, const JournalBounds& bounds,
                   JournalColumns& columns)
 {
-    const std::uint32_t internodes = content.internodes.size();
+    const std::uint32_t internodes = bounds.internodes;
     Result<void> read;
     JournalColumns::visitNumbers(columns, [&](const QByteArray& name, auto& column) {
         const QByteArray entry = "journal/" + name;
@@ -261,7 +261,7 @@ Result<void> read(const ZipReader& archive, std::uint32_t deltas, const TreeCont
             read = readEntry(archive, entry, deltas, column);
     });
     JournalColumns::visitChanges(columns, [&](QByteArrayView table) {
-        const std::uint32_t rows = table == "leaves" ? content.leaves.size() : internodes;
+        const std::uint32_t rows = table == "leaves" ? bounds.leaves : internodes;
         return [&, table, rows](const auto& info, auto& changes) {
             if (read)
                 read = changes.read(archive, JournalColumns::entryOf(table, info.name), deltas, rows);
@@ -278,8 +278,7 @@ Result<void> read(const ZipReader& archive, std::uint32_t deltas, const TreeCont
         read = readEntry(archive, "journal/died", columns.diedCounts.sum, columns.died);
     if (!read)
         return read;
-    const Result<bool> anyLassos = columns.lassoCounts.read(
-        archive, "journal/lassos", deltas, static_cast<std::uint32_t>(content.kept.lassos.size()));
+    const Result<bool> anyLassos = columns.lassoCounts.read(archive, "journal/lassos", deltas, bounds.lassos);
     if (!anyLassos)
         return anyLassos.error();
     if (*anyLassos)
@@ -292,6 +291,12 @@ Result<void> read(const ZipReader& archive, std::uint32_t deltas, const TreeCont
 }
 
 } // namespace
+
+JournalBounds JournalBounds::of(const TreeContent& content)
+{
+    return {content.internodes.size(), content.leaves.size(),
+            static_cast<std::uint32_t>(content.kept.lassos.size())};
+}
 
 void addJournal(ZipWriter& archive, const Journal& journal)
 {
@@ -319,17 +324,17 @@ void addJournal(ZipWriter& archive, const Journal& journal)
     addRecords(archive, journal);
 }
 
-Result<Journal> readJournal(const ZipReader& archive, std::uint32_t deltas, const TreeContent& content)
+Result<Journal> readJournal(const ZipReader& archive, std::uint32_t deltas, const JournalBounds& bounds)
 {
     JournalColumns columns;
-    if (const Result<void> result = read(archive, deltas, content, columns); !result)
+    if (const Result<void> result = read(archive, deltas, bounds, columns); !result)
         return result.error();
     for (std::uint32_t i = 0; i < deltas; ++i) {
         if (columns.isEmpty(i))
             return emptyDelta(i);
     }
-    std::optional<std::uint32_t> nextInternode = firstBirth(columns.born, content.internodes.size());
-    std::optional<std::uint32_t> nextLeaf = firstBirth(columns.bornLeaves, content.leaves.size());
+    std::optional<std::uint32_t> nextInternode = firstBirth(columns.born, bounds.internodes);
+    std::optional<std::uint32_t> nextLeaf = firstBirth(columns.bornLeaves, bounds.leaves);
     if (!nextInternode || !nextLeaf)
         return doesNotAddUp();
     Journal journal;

@@ -14,9 +14,18 @@ namespace espalier {
 /// delta's births follow those of the one before.
 void addJournal(ZipWriter& archive, const Journal& journal);
 
-/// Reads @p deltas deltas that are applied in a tree with the sizes of @p content. Before a delta is made, it
+/// The sizes of a tree's tables after the last delta of a journal.
+struct JournalBounds {
+    std::uint32_t internodes = 0;
+    std::uint32_t leaves = 0;
+    std::uint32_t lassos = 0;
+
+    static JournalBounds of(const TreeContent& content);
+};
+
+/// Reads @p deltas deltas that lead to a tree of those sizes. Before a delta is made, it
 /// checks that each delta changes something, that counts add up and that no delta changes or adds more rows
 /// than there are; checkJournal() checks the values.
-Result<Journal> readJournal(const ZipReader& archive, std::uint32_t deltas, const TreeContent& content);
+Result<Journal> readJournal(const ZipReader& archive, std::uint32_t deltas, const JournalBounds& bounds);
 
 } // namespace espalier

@@ -7,6 +7,7 @@
 
 #include <QJsonDocument>
 
+#include <algorithm>
 #include <numbers>
 
 namespace espalier {
@@ -108,7 +109,7 @@ void addLook(ZipWriter& archive, const SceneLook& look)
     archive.add(kLookEntry, QJsonDocument(toJson(look)).toJson());
 }
 
-Result<std::optional<ReadLook>> readLook(const ZipReader& archive)
+Result<std::optional<ReadLook>> readLook(const ZipReader& archive, std::span<const ImageAsset> known)
 {
     if (!archive.contains(kLookEntry))
         return std::optional<ReadLook>();
@@ -140,7 +141,9 @@ Result<std::optional<ReadLook>> readLook(const ZipReader& archive)
     if (const Result<void> end = reader.finish(); !end)
         return fault(end.error().message);
     if (!hash.isEmpty()) {
-        look.tracing.image = ProjectImages::read(archive, hash, name).value_or(ImageAsset());
+        const auto same = std::ranges::find(known, hash, &ImageAsset::hash);
+        look.tracing.image =
+            same != known.end() ? *same : ProjectImages::read(archive, hash, name).value_or(ImageAsset());
         // Unpacked here, on a worker thread, and not when it is drawn for the first time.
         if (look.tracing.image.pixels().isNull()) {
             look.tracing.image = {};

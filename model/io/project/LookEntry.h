@@ -6,6 +6,7 @@
 #include "model/scene/SceneLook.h"
 
 #include <optional>
+#include <span>
 
 namespace espalier {
 
@@ -20,7 +21,8 @@ struct ReadLook {
 
 /// Adds the entry; not the picture that the look names by its hash (ProjectImages::add()).
 void addLook(ZipWriter& archive, const SceneLook& look);
-/// None if the archive has no such entry, as those of older programs.
-Result<std::optional<ReadLook>> readLook(const ZipReader& archive);
+/// None if the archive has no such entry, as those of older programs. @p known: images that the archive need
+/// not have.
+Result<std::optional<ReadLook>> readLook(const ZipReader& archive, std::span<const ImageAsset> known = {});
 
 } // namespace espalier

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/io/project/ProjectFile.h"
 
+#include "model/io/FileReader.h"
 #include "model/io/FileWriter.h"
 #include "model/io/JsonReader.h"
 #include "model/io/ZipArchive.h"
@@ -16,7 +17,6 @@
 
 #include <QBuffer>
 #include <QCoreApplication>
-#include <QFile>
 #include <QFileInfo>
 #include <QImageReader>
 
@@ -37,8 +37,8 @@ struct ProjectFileText {
     Q_DECLARE_TR_FUNCTIONS(ProjectFile)
 };
 
-/// The check that both reader and writer apply.
-Result<void> checkProject(const Tree& tree, const Journal& journal)
+/// The check of histories that both reader and writer apply.
+Result<void> checkHistory(const Tree& tree, const Journal& journal)
 {
     if (const Result<void> sound = checkJournal(tree, journal); !sound)
         return sound;
@@ -94,7 +94,7 @@ Result<Project> readProject(const ZipReader& archive, JsonReader& reader)
         content.kept);
     if (!read)
         return read.error();
-    Result<Journal> journal = readJournal(archive, description->deltas, content);
+    Result<Journal> journal = readJournal(archive, description->deltas, JournalBounds::of(content));
     if (!journal)
         return journal.error();
     Result<Tree> tree = Tree::fromContent(std::move(content));
@@ -153,6 +153,13 @@ QByteArray thumbnailPng(const QImage& image)
 
 } // namespace
 
+Result<void> checkProject(const Project& project)
+{
+    if (QString fault = treeFault(project.tree.content()); !fault.isEmpty())
+        return Error{Error::Kind::Input, std::move(fault)};
+    return checkHistory(project.tree, project.journal);
+}
+
 Tree shownTree(const Project& project)
 {
     Tree tree = project.tree;
@@ -166,11 +173,9 @@ Result<QByteArray> packProject(const Project& project)
     if (!isWithinLimits(project))
         return Error{Error::Kind::Output,
                      ProjectFileText::tr("the tree or its history is too large for a project file")};
-    const TreeContent& content = project.tree.content();
-    if (const QString fault = treeFault(content); !fault.isEmpty())
-        return Error{Error::Kind::Output, fault};
-    if (const Result<void> sound = checkProject(project.tree, project.journal); !sound)
+    if (const Result<void> sound = checkProject(project); !sound)
         return Error{Error::Kind::Output, sound.error().message};
+    const TreeContent& content = project.tree.content();
     ZipWriter archive;
     archive.add(kDescriptionEntry,
                 describe(project.name, project.tree, project.journal.size(), project.ahead));
@@ -206,7 +211,7 @@ Result<Project> unpackProject(const QByteArray& bytes)
         *version == 1 ? projectVersion1::read(*archive, reader) : readProject(*archive, reader);
     if (!project)
         return project;
-    if (const Result<void> sound = checkProject(project->tree, project->journal); !sound)
+    if (const Result<void> sound = checkHistory(project->tree, project->journal); !sound)
         return sound.error();
     takeLook(*archive, *project);
     project->thumbnail = readThumbnail(*archive);
@@ -225,12 +230,10 @@ Result<void> saveProject(const Project& project, const QString& fileName)
 Result<Project> loadProject(const QString& fileName)
 {
     const QString name = QFileInfo(fileName).fileName();
-    QFile file(fileName);
-    if (!file.open(QIODevice::ReadOnly))
-        return inputError(name, file.errorString());
-    if (file.size() > kMaximumFile)
-        return inputError(name, ProjectFileText::tr("it is larger than %1 GB").arg(kMaximumFile >> 30));
-    Result<Project> project = unpackProject(file.readAll());
+    const Result<QByteArray> bytes = readFile(fileName, kMaximumFile);
+    if (!bytes)
+        return bytes.error();
+    Result<Project> project = unpackProject(*bytes);
     if (!project)
         return inputError(name, project.error().message);
     if (!project->warning.isEmpty())
@@ -240,6 +243,9 @@ Result<Project> loadProject(const QString& fileName)
 
 Result<QImage> readThumbnail(const QString& fileName)
 {
+    // Opening a pipe could wait for ever.
+    if (!QFileInfo(fileName).isFile())
+        return inputError(QFileInfo(fileName).fileName(), ProjectFileText::tr("there is no such file"));
     const Result<ZipReader> archive = ZipReader::openFile(fileName);
     if (!archive)
         return inputError(QFileInfo(fileName).fileName(), archive.error().message);

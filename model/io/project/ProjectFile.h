@@ -43,6 +43,9 @@ Result<QByteArray> packProject(const Project& project);
 /// is left out; so is an image, or the look, and the project's warning says so.
 Result<Project> unpackProject(const QByteArray& content);
 
+/// Checks a project's tree and history as both the reader and the writer of files do.
+Result<void> checkProject(const Project& project);
+
 /// Replaces the file whole or leaves it as it was.
 Result<void> saveProject(const Project& project, const QString& fileName);
 Result<Project> loadProject(const QString& fileName);

@@ -32,6 +32,12 @@ ImageAsset ProjectImages::find(const QString& hash)
     return *m_known.insert(hash, image.value_or(ImageAsset()));
 }
 
+void ProjectImages::know(const std::vector<ImageAsset>& images)
+{
+    for (const ImageAsset& image : images)
+        m_known.insert(image.hash(), image);
+}
+
 std::optional<ImageAsset> ProjectImages::read(const ZipReader& archive, const QString& hash,
                                               const QString& name)
 {

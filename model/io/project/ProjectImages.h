@@ -22,6 +22,8 @@ public:
 
     /// The image of that hash; an image without pixels if the archive has none, or none that can be read.
     ImageAsset find(const QString& hash);
+    /// Images that the archive need not have.
+    void know(const std::vector<ImageAsset>& images);
     /// The name of an image that could not be read; empty if there was none.
     const QString& lost() const { return m_lost; }
 

@@ -98,6 +98,23 @@ Result<void> readSparse(const ZipReader& archive, const QByteArray& name, std::u
 
 } // namespace
 
+void addRows(ZipWriter& archive, const InternodeColumns& internodes, const LeafColumns& leaves)
+{
+    if (internodes.size() > 0)
+        addTable<InternodeTable>(archive, "internodes", internodes);
+    if (leaves.size() > 0)
+        addTable<LeafTable>(archive, "leaves", leaves);
+}
+
+Result<void> readRows(const ZipReader& archive, std::uint32_t internodes, std::uint32_t leaves,
+                      TreeRows& rows)
+{
+    Result<void> read = readTable<InternodeTable>(archive, "internodes", internodes, rows.internodes);
+    if (read)
+        read = readTable<LeafTable>(archive, "leaves", leaves, rows.leaves);
+    return read;
+}
+
 void addTree(ZipWriter& archive, const TreeContent& content)
 {
     InternodeColumns internodes = content.internodes;

@@ -18,4 +18,10 @@ void addTree(ZipWriter& archive, const TreeContent& content);
 Result<void> readTree(const ZipReader& archive, std::uint32_t internodes, std::uint32_t leaves,
                       TreeContent& content);
 
+/// Adds rows that deltas bring, in the entries that a tree would have, but with the keys themselves.
+void addRows(ZipWriter& archive, const InternodeColumns& internodes, const LeafColumns& leaves);
+/// Reads what addRows() added; checks sizes, not values.
+Result<void> readRows(const ZipReader& archive, std::uint32_t internodes, std::uint32_t leaves,
+                      TreeRows& rows);
+
 } // namespace espalier

@@ -118,7 +118,7 @@ void RecipeImagesTest::wrongImages_areRefused_data()
     row("number", "leaves", "5", "the name of an image is expected");
     row("missing", "bark", "\"none.png\"", "none.png: there is no such file");
     row("absolute", "bark", "\"/etc/hostname\"", "/etc/hostname: a path relative to the recipe is expected");
-    row("folder", "bark", "\"..\"", "..: there is no such file");
+    row("folder", "bark", "\"..\"", "..: it is a folder");
     row("no image", "bark", "\"recipe.json\"", "recipe.json: it is neither a PNG nor a JPEG image");
     row("no leaf", "leaves", "\"../noise.png\"",
         "../noise.png: the leaf cannot be told apart from its background");

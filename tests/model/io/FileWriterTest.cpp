@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/io/FileWriter.h"
 
+#include "model/io/FileReader.h"
 #include "model/io/export/Exporter.h"
 #include "model/io/project/ProjectFile.h"
 #include "tests/support/FaultyDisk.h"
@@ -8,6 +9,8 @@
 #include "tests/support/TestClasses.h"
 
 #include <QTest>
+
+#include <sys/stat.h>
 
 #include <cerrno>
 
@@ -82,6 +85,11 @@ private Q_SLOTS:
     void fullDisk_isSaidInWords();
     void placesThatCannotBeWritten_areNamed_data();
     void placesThatCannotBeWritten_areNamed();
+    void longestNames_canBeWritten();
+    void oddNames_canBeWritten();
+    void pipesAndLinksInACircle_areNamed();
+    void filesThatBelongTogether_allStayIfOneFails();
+    void appending_isWholeOrNothing();
     void faultyDisk_leavesTheOldFilesOrTheNewOnes_data();
     void faultyDisk_leavesTheOldFilesOrTheNewOnes();
 };
@@ -214,6 +222,106 @@ void FileWriterTest::placesThatCannotBeWritten_areNamed()
     QVERIFY(!written);
     QVERIFY2(written.error().message.contains(reason), qPrintable(written.error().message));
     QCOMPARE(allFilesIn(folder).size(), 1);
+}
+
+void FileWriterTest::longestNames_canBeWritten()
+{
+    const QTemporaryDir folder;
+    const QString name = folder.filePath(QString(251, QLatin1Char('n')) + QStringLiteral(".txt"));
+    QVERIFY(writeFile(name, "one"));
+    QVERIFY(writeFile(name, "two"));
+    QCOMPARE(bytesOf(name), QByteArray("two"));
+    const Result<void> longer = writeFile(name + QLatin1Char('x'), "three");
+    QVERIFY(!longer);
+    QVERIFY2(longer.error().message.endsWith(QStringLiteral("the name is too long")),
+             qPrintable(longer.error().message));
+}
+
+void FileWriterTest::oddNames_canBeWritten()
+{
+    const QTemporaryDir folder;
+    for (const char* name :
+         {"eiche", "\u00c4lteste Eiche", "\u677e\u306e\u6728", "\u0434\u0443\u0431",
+          "\u0634\u062c\u0631\u0629", "\U0001F333", " a b ", "-o", "a\nb", "a'b\"c", "%1%2", ".hidden"}) {
+        const QString path = folder.filePath(QString::fromUtf8(name));
+        QVERIFY2(writeFile(path, name), name);
+        QCOMPARE(bytesOf(path), QByteArray(name));
+    }
+}
+
+void FileWriterTest::pipesAndLinksInACircle_areNamed()
+{
+    const QTemporaryDir folder;
+    const QString pipe = folder.filePath(QStringLiteral("pipe"));
+    QCOMPARE(::mkfifo(QFile::encodeName(pipe).constData(), 0600), 0);
+    const Result<void> piped = writeFile(pipe, "one");
+    QVERIFY(!piped);
+    QCOMPARE(piped.error().message, QStringLiteral("pipe: no program reads from this pipe"));
+
+    const QString a = folder.filePath(QStringLiteral("a"));
+    const QString b = folder.filePath(QStringLiteral("b"));
+    QVERIFY(QFile::link(a, b) && QFile::link(b, a));
+    const Result<void> circle = writeFile(a, "one");
+    QVERIFY(!circle);
+    QCOMPARE(circle.error().message, QStringLiteral("a: it is a link that leads back to itself"));
+
+    for (const QString& name : {pipe, a, folder.path(), QStringLiteral("/dev/zero")}) {
+        const Result<QByteArray> read = readFile(name, 1000);
+        QVERIFY2(!read, qPrintable(name));
+        QVERIFY(!loadProject(name));
+    }
+}
+
+void FileWriterTest::filesThatBelongTogether_allStayIfOneFails()
+{
+    const QTemporaryDir folder;
+    const QStringList names{folder.filePath(QStringLiteral("a")), folder.filePath(QStringLiteral("b")),
+                            folder.filePath(QStringLiteral("c"))};
+    put(names[0], kOld);
+    put(names[2], kOld);
+    const QMap<QString, QByteArray> before = allFilesIn(folder);
+    const auto writeAll = [&names] {
+        std::vector<std::unique_ptr<FileWriter>> writers;
+        std::vector<FileWriter*> files;
+        for (const QString& name : names) {
+            writers.push_back(std::make_unique<FileWriter>(name));
+            writers.back()->write("new");
+            files.push_back(writers.back().get());
+        }
+        return FileWriter::commitAll(files);
+    };
+    // Each rename is the first that fails, once.
+    for (int renames = 0; renames < 3; ++renames) {
+        const FaultyDisk disk(folder.path(), FaultyDisk::Renames{renames}, EIO);
+        const Result<void> written = writeAll();
+        QVERIFY(!written);
+        QVERIFY(written.error().message.endsWith(QStringLiteral("the disk reports an error")));
+        QCOMPARE(allFilesIn(folder), before);
+    }
+    QVERIFY(writeAll());
+    for (const QString& name : names)
+        QCOMPARE(bytesOf(name), QByteArray("new"));
+    QCOMPARE(allFilesIn(folder).size(), 3);
+}
+
+void FileWriterTest::appending_isWholeOrNothing()
+{
+    const QTemporaryDir folder;
+    const QString name = folder.filePath(QStringLiteral("a"));
+    QVERIFY(appendToFile(name, "one "));
+    {
+        const FaultyDisk disk(folder.path(), 0, ENOSPC);
+        const Result<void> full = appendToFile(name, "two ");
+        QVERIFY(!full);
+        QCOMPARE(full.error().message, QStringLiteral("a: the disk is full"));
+    }
+    {
+        // It is written, but cannot be brought to the disk.
+        const FaultyDisk disk(folder.path(), 1, EIO);
+        QVERIFY(!appendToFile(name, "three "));
+    }
+    QVERIFY(appendToFile(name, "four"));
+    QCOMPARE(bytesOf(name), QByteArray("one four"));
 }
 
 void FileWriterTest::faultyDisk_leavesTheOldFilesOrTheNewOnes_data()

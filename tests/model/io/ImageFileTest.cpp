@@ -17,6 +17,9 @@ private Q_SLOTS:
     void sameBytes_areTheSameImage();
     void refused_data();
     void refused();
+    void jpeg_isWholeAtAnyPlaceButTheEnd();
+    void imagesMadeToTakeLong_areRefused();
+    void largestImage_isRead();
     void largeImage_isMadeSmallerForUse();
     void file_thatIsNone_isAnError();
 };
@@ -99,7 +102,7 @@ void ImageFileTest::refused_data()
     QTest::newRow("text") << QByteArray("{}") << QStringLiteral("it is neither a PNG nor a JPEG image");
     QTest::newRow("bitmap") << QByteArray("BM6\0\0\0")
                             << QStringLiteral("it is neither a PNG nor a JPEG image");
-    QTest::newRow("cut off") << png.first(png.size() / 2) << QStringLiteral("the image is broken");
+    QTest::newRow("cut off") << png.first(png.size() / 2) << QStringLiteral("the file is not whole");
     QTest::newRow("only a head") << png.first(8) << QStringLiteral("the image is broken");
     QTest::newRow("damaged") << (png.first(60) + QByteArray(40, 'x') + png.sliced(100))
                              << QStringLiteral("the image is broken");
@@ -120,6 +123,55 @@ void ImageFileTest::refused()
     const Result<ImageAsset> image = readImage(file, QStringLiteral("leaf.png"));
     QVERIFY(!image);
     QCOMPARE(image.error().message, QStringLiteral("leaf.png: ") + sentence);
+}
+
+void ImageFileTest::jpeg_isWholeAtAnyPlaceButTheEnd()
+{
+    QByteArray photo;
+    QBuffer buffer(&photo);
+    repeatingBark(120, 90).save(&buffer, "jpg");
+    QVERIFY(readImage(photo, QStringLiteral("bark.jpg")));
+    for (qsizetype size = 3; size < photo.size(); size += 7) {
+        const Result<ImageAsset> image = readImage(photo.first(size), QStringLiteral("bark.jpg"));
+        QVERIFY2(!image, qPrintable(QString::number(size)));
+    }
+    // Cameras add something after the end.
+    QVERIFY(readImage(photo + QByteArray(500, 'x'), QStringLiteral("bark.jpg")));
+}
+
+void ImageFileTest::imagesMadeToTakeLong_areRefused()
+{
+    QByteArray photo;
+    QBuffer buffer(&photo);
+    repeatingBark(120, 90).save(&buffer, "jpg");
+    // The pass again and again.
+    const qsizetype pass = photo.indexOf("\xff\xda");
+    const qsizetype end = photo.lastIndexOf("\xff\xd9");
+    QByteArray many = photo.first(end);
+    for (int i = 0; i < 300; ++i)
+        many += photo.sliced(pass, end - pass);
+    many += photo.sliced(end);
+    QElapsedTimer timer;
+    timer.start();
+    Result<ImageAsset> image = readImage(many, QStringLiteral("bark.jpg"));
+    QVERIFY(!image);
+    QVERIFY(image.error().message.contains(QStringLiteral("very long")));
+
+    QImage picture = plain(40, 40);
+    for (int i = 0; i < 100; ++i)
+        picture.setText(QStringLiteral("note %1").arg(i), QString(100'000, QLatin1Char('a')));
+    image = readImage(pngOf(picture), QStringLiteral("bark.png"));
+    QVERIFY(!image);
+    QVERIFY(image.error().message.contains(QStringLiteral("very long")));
+    QVERIFY(timer.elapsed() < 1000);
+}
+
+void ImageFileTest::largestImage_isRead()
+{
+    // 256 MB of pixels.
+    const QByteArray file =
+        pngOf(QImage(plain(4, 4)).scaled(8192, 8192).convertToFormat(QImage::Format_RGBA8888));
+    QVERIFY(readImage(file, QStringLiteral("bark.png")));
 }
 
 void ImageFileTest::largeImage_isMadeSmallerForUse()

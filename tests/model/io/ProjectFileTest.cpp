@@ -694,9 +694,13 @@ void ProjectFileTest::zipBomb_isRefusedBeforeItIsUnpacked()
     QVERIFY(bomb.size() < 4'000'000);
     const Result<Project> project = unpackProject(bomb);
     QVERIFY(!project);
-    QVERIFY2(
-        project.error().message.startsWith(QStringLiteral("internodes/rotation: it has 320000000 bytes")),
-        qPrintable(project.error().message));
+    QCOMPARE(project.error().message, QStringLiteral("it claims to hold far more than its size allows"));
+    // A smaller one, in a file that could hold as much.
+    entry(entries, "internodes/rotation") = QByteArray(6'000'000, '\0');
+    const Result<Project> smaller = unpackProject(packEntries(entries));
+    QVERIFY(!smaller);
+    QVERIFY2(smaller.error().message.startsWith(QStringLiteral("internodes/rotation: it has 6000000 bytes")),
+             qPrintable(smaller.error().message));
 
     // A declared size that the packed bytes cannot hold.
     QByteArray lie = *packProject(sampleProject(50));

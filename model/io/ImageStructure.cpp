@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/io/ImageStructure.h"
+
+#include "model/tree/ImageAsset.h"
+
+#include <QCoreApplication>
+#include <QtEndian>
+
+#include <cstdint>
+
+namespace espalier {
+
+namespace {
+
+struct StructureText {
+    Q_DECLARE_TR_FUNCTIONS(ImageStructure)
+};
+
+/// Packed texts and colour profiles of a PNG file; each may unpack to megabytes.
+constexpr int kMostPackedTexts = 16;
+/// Pixels that the passes of a JPEG file go over, in all: ten passes over 8192 × 8192.
+constexpr qint64 kMostPassPixels = qint64{10} * 8192 * 8192;
+constexpr int kMostPasses = 200;
+
+QString notWhole()
+{
+    return StructureText::tr("the file is not whole");
+}
+
+QString tooLong()
+{
+    return StructureText::tr("it is made so that unpacking it would take very long");
+}
+
+QString pngFault(const QByteArray& file)
+{
+    constexpr qsizetype kSignature = 8;
+    constexpr qsizetype kAround = 12; // length, type and checksum of a chunk
+    int packedTexts = 0;
+    qsizetype at = kSignature;
+    while (file.size() - at >= kAround) {
+        const auto length = static_cast<qsizetype>(qFromBigEndian<quint32>(file.constData() + at));
+        const QByteArrayView type = QByteArrayView(file).sliced(at + 4, 4);
+        if (length > file.size() - at - kAround)
+            return notWhole();
+        if (type == "IEND")
+            return {};
+        if (type == "zTXt" || type == "iTXt" || type == "iCCP")
+            ++packedTexts;
+        if (packedTexts > kMostPackedTexts)
+            return tooLong();
+        at += kAround + length;
+    }
+    return notWhole();
+}
+
+QString jpegFault(const QByteArray& file, const QSize& size)
+{
+    const auto byte = [&file](qsizetype at) { return static_cast<std::uint8_t>(file[at]); };
+    const auto isRestart = [](std::uint8_t marker) { return marker >= 0xd0 && marker <= 0xd7; };
+    const qint64 pixels = qint64{size.width()} * size.height();
+    int passes = 0;
+    qsizetype at = 2;
+    while (file.size() - at >= 2) {
+        if (byte(at) != 0xff) { // pixels of a pass
+            const qsizetype next = file.indexOf('\xff', at);
+            if (next < 0)
+                return notWhole();
+            at = next;
+            continue;
+        }
+        const std::uint8_t marker = byte(at + 1);
+        if (marker == 0xd9) // the end
+            return {};
+        if (marker == 0xff) { // filling
+            ++at;
+            continue;
+        }
+        at += 2;
+        if (marker == 0x00 || marker == 0x01 || isRestart(marker))
+            continue;
+        if (file.size() - at < 2)
+            return notWhole();
+        const auto length = static_cast<qsizetype>(qFromBigEndian<quint16>(file.constData() + at));
+        if (length < 2 || length > file.size() - at)
+            return notWhole();
+        at += length;
+        if (marker == 0xda && (++passes > kMostPasses || passes * pixels > kMostPassPixels))
+            return tooLong();
+    }
+    return notWhole();
+}
+
+} // namespace
+
+QString imageStructureFault(const QByteArray& file, const QSize& size)
+{
+    return imageFormat(file) == "png" ? pngFault(file) : jpegFault(file, size);
+}
+
+} // namespace espalier
