@@ -29,7 +29,14 @@ add_compile_options(-ffp-contract=off)
 # Qt's keyword "emit" breaks TBB's headers: write Q_EMIT, Q_SIGNALS, Q_SLOTS.
 add_compile_definitions(QT_NO_KEYWORDS QT_DISABLE_DEPRECATED_BEFORE=0x060000)
 
-if(ESPALIER_SANITISE)
+if(ESPALIER_FUZZ)
+    add_compile_options(-fsanitize=fuzzer-no-link,address -fno-omit-frame-pointer)
+    add_link_options(-fsanitize=address)
+endif()
+if(ESPALIER_SANITISE STREQUAL "thread")
+    add_compile_options(-fsanitize=thread -fno-omit-frame-pointer)
+    add_link_options(-fsanitize=thread)
+elseif(ESPALIER_SANITISE)
     # The address sanitizer reports most of what these checks report, and they take a third of the compile time.
     set(unneeded -fno-sanitize=null,alignment,object-size,pointer-overflow,vptr)
     set(sanitisers -fsanitize=address,undefined ${unneeded} -fno-sanitize-recover=undefined -fno-omit-frame-pointer)

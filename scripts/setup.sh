@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Installs the Debian packages that are needed and missing. Prints nothing if none is missing.
-# Usage: scripts/setup.sh [build] [display] [test] [bench] [fresh]     (build when nothing is named)
+# Usage: scripts/setup.sh [build] [display] [test] [bench] [fresh] [nightly]     (build when nothing is named)
 set -euo pipefail
 
 readonly build=(
@@ -16,6 +16,7 @@ command -v npm >/dev/null || test+=(nodejs npm)
 readonly test
 readonly bench=(libbenchmark-dev)
 readonly fresh=(debootstrap)
+readonly nightly=(libclang-rt-16-dev clang-tidy)
 
 fail() {
     echo "setup: $*" >&2
@@ -30,7 +31,8 @@ for group in "${@:-build}"; do
         test) wanted+=("${test[@]}") ;;
         bench) wanted+=("${bench[@]}") ;;
         fresh) wanted+=("${fresh[@]}") ;;
-        *) fail "there is no group '$group'; there are build, display, test, bench and fresh" ;;
+        nightly) wanted+=("${nightly[@]}") ;;
+        *) fail "there is no group '$group'; there are build, display, test, bench, fresh and nightly" ;;
     esac
 done
 

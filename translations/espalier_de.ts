@@ -464,7 +464,7 @@
     </message>
 </context>
 <context>
-    <name>Background</name>
+    <name>WithinMemory</name>
     <message>
         <source>There is not enough memory for this.</source>
         <translation>Dafür reicht der Speicher nicht.</translation>

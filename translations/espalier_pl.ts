@@ -464,7 +464,7 @@
     </message>
 </context>
 <context>
-    <name>Background</name>
+    <name>WithinMemory</name>
     <message>
         <source>There is not enough memory for this.</source>
         <translation>Na to nie wystarcza pamięci.</translation>

@@ -3,7 +3,6 @@
 
 #include "app/cli/SketchJob.h"
 #include "app/files/Outputs.h"
-#include "app/runners/Background.h"
 #include "commands/DocumentProject.h"
 #include "commands/ImportSkeleton.h"
 #include "commands/SetParameters.h"
@@ -11,6 +10,7 @@
 #include "commands/recipe/JournalRecipe.h"
 #include "commands/recipe/Recipe.h"
 #include "commands/recipe/RecipePlayer.h"
+#include "model/base/WithinMemory.h"
 #include "model/io/FileWriter.h"
 #include "model/io/ParametersJson.h"
 #include "model/mesh/BranchMesher.h"

@@ -136,8 +136,8 @@ SurfaceTextures barkTextures(const BarkParameters& bark, int size)
                                     kBarkRelief * static_cast<float>(textures.colour.width()), true);
     }
     if (const QImage roughness = bark.roughnessImage.pixels(); !roughness.isNull()) {
-        textures.roughness =
-            sized(tile.of(roughness), textures.colour.size()).convertToFormat(QImage::Format_Grayscale8);
+        textures.roughness = allocated(
+            sized(tile.of(roughness), textures.colour.size()).convertToFormat(QImage::Format_Grayscale8));
     } else {
         textures.roughness = roughnessMap(light, 0.82F);
     }

@@ -100,10 +100,9 @@ QImage RepeatingTile::of(QImage image) const
         image = withoutSeam(image, false);
     const int across = m_repeats.width();
     const int along = m_repeats.height();
-    image = image
-                .scaled(std::max(1, m_edge / across), std::max(1, m_edge / along), Qt::IgnoreAspectRatio,
-                        Qt::SmoothTransformation)
-                .convertToFormat(QImage::Format_RGB888);
+    image = allocated(image.scaled(std::max(1, m_edge / across), std::max(1, m_edge / along),
+                                   Qt::IgnoreAspectRatio, Qt::SmoothTransformation));
+    image = allocated(image.convertToFormat(QImage::Format_RGB888));
     if (m_repeats == QSize(1, 1))
         return image;
     QImage tiled = allocated(QImage(across * image.width(), along * image.height(), QImage::Format_RGB888));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Kills a program that edits, saves and exports, at random moments, and looks at what is left. Without
-// options the short run that is one of the tests; "kill_test --kills 300" is the long one.
+// Kills a program that edits, saves and exports, at random moments, and looks at what is left. Each fourth
+// time it only asks the program to end (SIGTERM). Without options the short run that is one of the tests;
+// "kill_test --kills 300" is the long one.
 #include "app/files/SafetyCopy.h"
 #include "model/io/project/ProjectFile.h"
 #include "tests/kill/DocumentDigest.h"
@@ -60,8 +61,8 @@ class KillTest {
 public:
     explicit KillTest(std::uint64_t seed) : m_random(static_cast<quint32>(seed)) {}
 
-    /// Returns what went wrong, or nothing.
-    QString kill(std::uint64_t seed);
+    /// Returns what went wrong, or nothing. @p asks: the program is asked to end, and then must lose nothing.
+    QString kill(std::uint64_t seed, bool asks);
     void print() const;
 
 private:
@@ -78,7 +79,8 @@ private:
     int m_savedFiles = 0;
     int m_exports = 0;
     int m_copies = 0;
-    qint64 m_killedAt = 0;      ///< ms
+    qint64 m_killedAt = 0; ///< ms
+    bool m_isAsked = false;
     std::vector<qint64> m_lost; ///< By kill, ms: what was done for so long before it was in no file
 };
 
@@ -141,7 +143,8 @@ QString KillTest::checkCopy(const Story& story, const QString& home, int& kept)
             return QStringLiteral("a safety copy is damaged: ") + project.error().message;
         kept = lastWith(story, digestOf(*project), kept);
     }
-    m_lost.push_back(kept == last ? 0 : m_killedAt - story.times[static_cast<std::size_t>(kept) + 1]);
+    if (!m_isAsked)
+        m_lost.push_back(kept == last ? 0 : m_killedAt - story.times[static_cast<std::size_t>(kept) + 1]);
     if (kept < story.safe)
         return QStringLiteral("operation %1 was safe, but only %2 can be brought back")
             .arg(story.safe)
@@ -149,8 +152,9 @@ QString KillTest::checkCopy(const Story& story, const QString& home, int& kept)
     return {};
 }
 
-QString KillTest::kill(std::uint64_t seed)
+QString KillTest::kill(std::uint64_t seed, bool asks)
 {
+    m_isAsked = asks;
     const QTemporaryDir home;
     const QString folder = home.filePath(QStringLiteral("trees"));
     QDir().mkpath(folder);
@@ -170,17 +174,26 @@ QString KillTest::kill(std::uint64_t seed)
     QElapsedTimer now;
     now.start();
     m_killedAt = now.msecsSinceReference();
-    victim.kill();
-    victim.waitForFinished();
-    if (victim.exitStatus() != QProcess::CrashExit)
-        return QStringLiteral("the program ended by itself");
+    if (asks)
+        victim.terminate();
+    else
+        victim.kill();
+    if (!victim.waitForFinished())
+        return QStringLiteral("the program does not end");
+    if ((victim.exitStatus() == QProcess::CrashExit) == asks)
+        return asks ? QStringLiteral("the program crashed when it was asked to end")
+                    : QStringLiteral("the program ended by itself");
     const Story story = readStory(victim.readAllStandardOutput());
     ++m_kills;
     m_operations += static_cast<int>(story.digests.size()) - 1;
     int kept = 0;
     if (const QString fault = checkSaved(story, folder, kept); !fault.isEmpty())
         return fault;
-    return checkCopy(story, home.path(), kept);
+    if (const QString fault = checkCopy(story, home.path(), kept); !fault.isEmpty())
+        return fault;
+    const bool hasLost = story.digests.back() != story.digests[static_cast<std::size_t>(kept)];
+    return asks && hasLost ? QStringLiteral("the program lost something when it was asked to end")
+                           : QString();
 }
 
 void KillTest::print() const
@@ -217,7 +230,7 @@ int main(int argc, char** argv)
     KillTest test(first);
     for (int i = 0; i < parser.value(kills).toInt(); ++i) {
         const std::uint64_t number = first * 1'000'000 + static_cast<std::uint64_t>(i);
-        if (const QString fault = test.kill(number); !fault.isEmpty()) {
+        if (const QString fault = test.kill(number, i % 4 == 3); !fault.isEmpty()) {
             test.print();
             std::printf("FAIL: kill %d: %s\n", i, qPrintable(fault));
             return 1;

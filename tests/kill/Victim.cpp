@@ -6,6 +6,7 @@
 //   saving N FILE      the document after the N-th operation is going to be written
 //   saved FILE
 //   exporting FILE, exported FILE
+#include "app/TerminationSignals.h"
 #include "app/files/FileController.h"
 #include "panels/Notice.h"
 #include "tests/kill/DocumentDigest.h"
@@ -42,6 +43,11 @@ public:
                 [this] { tell(QStringLiteral("safe %1").arg(m_done)); });
         connect(&m_files.file(), &DocumentFile::saved, this,
                 [](const QString& name) { tell(QStringLiteral("saved ") + name); });
+        connect(&m_signals, &TerminationSignals::asked, this, [this] {
+            m_document.interruptEdit();
+            m_files.leave();
+            QCoreApplication::exit();
+        });
         QTimer::singleShot(0, this, &Victim::act);
     }
 
@@ -94,6 +100,7 @@ private:
     Notice m_notice;
     TreeDocument m_document;
     FileController m_files;
+    TerminationSignals m_signals;
     int m_done = 0;
 };
 

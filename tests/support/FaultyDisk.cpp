@@ -16,6 +16,7 @@ namespace {
 
 QByteArray folderAtRisk; // Empty while the disk is good
 int goodCallsLeft = 0;
+bool failsOnce = false;
 int errorNumber = 0;
 std::atomic<int> callCount = 0;
 std::atomic<int> firstNaming = -1;
@@ -45,6 +46,8 @@ bool fails(bool givesName)
     if (givesName && firstNaming < 0)
         firstNaming = call;
     if (goodCallsLeft == espalier::test::FaultyDisk::kNever || call < goodCallsLeft)
+        return false;
+    if (failsOnce && call > goodCallsLeft)
         return false;
     errno = errorNumber;
     return true;
@@ -96,6 +99,14 @@ int rename(const char* from, const char* to) noexcept
     return call(from, to);
 }
 
+int link(const char* from, const char* to) noexcept
+{
+    if (isAtRisk(QByteArray(to)) && fails(false))
+        return -1;
+    static auto* const call = real<int(const char*, const char*)>("link");
+    return call(from, to);
+}
+
 int linkat(int fromFolder, const char* from, int toFolder, const char* to, int flags) noexcept
 {
     if (isAtRisk(QByteArray(to)) && fails(true))
@@ -122,8 +133,14 @@ FaultyDisk::FaultyDisk(const QString& folder, Renames renames, int error) : Faul
     goodRenamesLeft = renames.good;
 }
 
+FaultyDisk::FaultyDisk(const QString& folder, Once once, int error) : FaultyDisk(folder, once.good, error)
+{
+    failsOnce = true;
+}
+
 FaultyDisk::~FaultyDisk()
 {
+    failsOnce = false;
     folderAtRisk.clear();
     goodRenamesLeft = -1;
 }

@@ -15,6 +15,11 @@ public:
     /// @p goodCalls: how many calls succeed before all others fail with @p error (errno); kNever for a good
     /// disk, which only counts.
     FaultyDisk(const QString& folder, int goodCalls, int error);
+    /// One call fails, after @p once.good good ones, and all after it succeed.
+    struct Once {
+        int good;
+    };
+    FaultyDisk(const QString& folder, Once once, int error);
     struct Renames {
         int good;
     };

@@ -137,8 +137,9 @@ QImage leafColours(LeafShape shape, double saturation, int size, const std::vect
 /// The user's image with the colour of each tile, as the viewport shows it.
 QImage ownColours(const QImage& image, double saturation, const std::vector<LeafTile>& tiles)
 {
-    std::vector<QImage> images(tiles.size(), image);
+    std::vector<QImage> images(tiles.size());
     for (std::size_t i = 0; i < tiles.size(); ++i) {
+        images[i] = allocated(image.copy());
         std::array<double, 3> factors = hueFactors(tiles[i].hueShift);
         for (double& factor : factors)
             factor *= tiles[i].value;
@@ -154,7 +155,9 @@ QByteArray toPng(const QImage& image)
     QBuffer buffer(&png);
     QImageWriter writer(&buffer, "png");
     writer.setQuality(kPngQuality);
-    writer.write(image);
+    // Nothing but the memory can be missing.
+    if (!writer.write(image))
+        throw std::bad_alloc();
     return png;
 }
 
@@ -178,7 +181,7 @@ QString meshName(const QString& material, int level)
 /// The alpha of an image (Format_RGBA8888) in all four channels.
 QImage maskOf(const QImage& colour)
 {
-    QImage mask = colour;
+    QImage mask = allocated(colour.copy());
     for (int y = 0; y < mask.height(); ++y) {
         uchar* pixel = mask.scanLine(y);
         for (int x = 0; x < mask.width(); ++x, pixel += 4)

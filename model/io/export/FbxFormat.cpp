@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/io/export/FbxFormat.h"
 
+#include "model/base/WithinMemory.h"
 #include "model/io/JsonReader.h"
 #include "model/io/export/FbxRepair.h"
 #include "model/io/export/SceneTextures.h"
@@ -147,6 +148,9 @@ Result<void> FbxFormat::write(const ExportScene& scene, ExportFiles& files) cons
         return Error{Error::Kind::Output, inputError(files.mainName(), what).message};
     };
     if (blob == nullptr) {
+        // Assimp has no words for that.
+        if (*exporter.GetErrorString() == '\0')
+            return memoryError();
         return failure(QCoreApplication::translate("Exporter", "the meshes could not be written: %1")
                            .arg(QString::fromUtf8(exporter.GetErrorString())));
     }

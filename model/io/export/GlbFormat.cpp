@@ -2,6 +2,7 @@
 #include "model/io/export/GlbFormat.h"
 
 #include "model/io/JsonReader.h"
+#include "model/texture/AllocatedImage.h"
 
 #include <QBuffer>
 #include <QCoreApplication>
@@ -32,7 +33,7 @@ static_assert(Q_BYTE_ORDER == Q_LITTLE_ENDIAN);
 /// Packs the roughness as glTF reads it, from green, and the metalness, which is zero, from blue.
 QByteArray metallicRoughness(const QByteArray& png)
 {
-    QImage image = QImage::fromData(png, "png").convertToFormat(QImage::Format_RGB888);
+    QImage image = allocated(allocated(QImage::fromData(png, "png")).convertToFormat(QImage::Format_RGB888));
     for (int y = 0; y < image.height(); ++y) {
         uchar* pixel = image.scanLine(y);
         for (int x = 0; x < image.width(); ++x, pixel += 3) {
@@ -42,7 +43,8 @@ QByteArray metallicRoughness(const QByteArray& png)
     }
     QByteArray packed;
     QBuffer buffer(&packed);
-    QImageWriter(&buffer, "png").write(image);
+    if (!QImageWriter(&buffer, "png").write(image))
+        throw std::bad_alloc();
     return packed;
 }
 

@@ -200,11 +200,15 @@ Result<DrawingStrokes> readDrawing(const QString& fileName, int index)
     if (!bytes)
         return bytes.error();
     const bool isSvg = QFileInfo(fileName).suffix().toLower() == QLatin1String("svg");
-    Result<DrawingStrokes> strokes = isSvg ? readSvg(*bytes) : readQuickDraw(*bytes, index);
-    if (!strokes)
-        return inputError(name, strokes.error().message);
-    if (strokes->empty())
-        return inputError(name, DrawingText::tr("it has no strokes"));
+    Result<DrawingStrokes> strokes = parseDrawing(*bytes, isSvg, index);
+    return strokes ? std::move(strokes) : inputError(name, strokes.error().message);
+}
+
+Result<DrawingStrokes> parseDrawing(const QByteArray& bytes, bool isSvg, int index)
+{
+    Result<DrawingStrokes> strokes = isSvg ? readSvg(bytes) : readQuickDraw(bytes, index);
+    if (strokes && strokes->empty())
+        return Error{Error::Kind::Input, DrawingText::tr("it has no strokes")};
     return strokes;
 }
 

@@ -18,6 +18,8 @@ using DrawingStrokes = std::vector<std::vector<Vec2>>;
 /// texts, images and colours are not. Fails (Kind::Input) with the file's name and what is wrong: it cannot
 /// be read, is greater than 32 MB, is no such file, has no such line, or no stroke.
 Result<DrawingStrokes> readDrawing(const QString& fileName, int index);
+/// The same with the bytes of a file.
+Result<DrawingStrokes> parseDrawing(const QByteArray& bytes, bool isSvg, int index);
 
 /// The same strokes, kDrawingHeight high from the ground up, in the middle of their width.
 inline constexpr double kDrawingHeight = 3.0; ///< m
