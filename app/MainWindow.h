@@ -77,6 +77,7 @@ protected:
 private:
     void connectFiles();
     void connectTools();
+    void askAboutCeiling(GrowthRunner& runner);
     void connectView();
     void connectLibrary();
     /// Makes the workspace and what leads it, and tells them of the parts that outlive them.

@@ -30,6 +30,18 @@
 
 namespace espalier {
 
+void MainWindow::askAboutCeiling(GrowthRunner& runner)
+{
+    m_workspace->notice().ask(
+        tr("Growth has stopped: the tree has %L1 internodes, and the memory of this machine "
+           "may not hold a larger one.")
+            .arg(m_document.tree().size()),
+        tr("Allow More"), tr("Leave It"), [&runner](bool more) {
+            if (more)
+                runner.raiseCeiling();
+        });
+}
+
 void MainWindow::connectTools()
 {
     auto* tools = new QActionGroup(this);
@@ -55,6 +67,9 @@ void MainWindow::connectTools()
     connect(&m_timeRunner, &TimeRunner::runningChanged, this, &MainWindow::updateEnabled);
     connect(&m_growRunner, &GrowRunner::exhausted, this,
             [this] { m_workspace->notice().showInformation(tr("The tree has no room left to grow.")); });
+    for (GrowthRunner* runner :
+         {static_cast<GrowthRunner*>(&m_growRunner), static_cast<GrowthRunner*>(&m_lassoRunner)})
+        connect(runner, &GrowthRunner::ceilingReached, this, [this, runner] { askAboutCeiling(*runner); });
     connect(&m_growRunner, &GrowRunner::runningChanged, this, &MainWindow::updateEnabled);
     connect(&m_lassoRunner, &LassoRunner::runningChanged, this, &MainWindow::updateEnabled);
     connect(&m_lassoRunner, &LassoRunner::refused, this,

@@ -35,6 +35,7 @@ public:
     /// gesture.
     void setInterrupted(Edit::Interrupted interrupted) { m_interrupted = std::move(interrupted); }
 
+    const TreeDocument& document() const { return m_edit->document(); }
     /// Whether growth has come to its end.
     bool isExhausted() const { return m_isExhausted; }
     /// Number of steps applied.

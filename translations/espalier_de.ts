@@ -464,13 +464,6 @@
     </message>
 </context>
 <context>
-    <name>WithinMemory</name>
-    <message>
-        <source>There is not enough memory for this.</source>
-        <translation>Dafür reicht der Speicher nicht.</translation>
-    </message>
-</context>
-<context>
     <name>BendTool</name>
     <message>
         <source>Pull a branch to bend it; or tap where the bend begins, then where to hold it</source>
@@ -1146,6 +1139,10 @@ geschrieben werden konnte.
     <message>
         <source>it cannot be read: %1</source>
         <translation>sie kann nicht gelesen werden: %1</translation>
+    </message>
+    <message>
+        <source>there is no such file</source>
+        <translation type="unfinished">diese Datei gibt es nicht</translation>
     </message>
 </context>
 <context>
@@ -3503,6 +3500,10 @@ geschrieben werden konnte.
         <source>one stroke or more is expected</source>
         <translation>mindestens ein Strich wird erwartet</translation>
     </message>
+    <message>
+        <source>growth stopped at %1 internodes, since the memory of this machine may not hold more</source>
+        <translation>das Wachstum endete bei %1 Internodien, da der Speicher dieses Rechners vielleicht nicht mehr fasst</translation>
+    </message>
 </context>
 <context>
     <name>RecipeTool</name>
@@ -3973,6 +3974,13 @@ geschrieben werden konnte.
     <message>
         <source>Tap a branch to fix its width; drag the ends of the handle to change it</source>
         <translation>Einen Ast antippen, um seine Dicke festzuhalten; an den Enden des Griffs ziehen, um sie zu ändern</translation>
+    </message>
+</context>
+<context>
+    <name>WithinMemory</name>
+    <message>
+        <source>There is not enough memory for this.</source>
+        <translation>Dafür reicht der Speicher nicht.</translation>
     </message>
 </context>
 <context>
@@ -4758,6 +4766,18 @@ geschrieben werden konnte.
     <message>
         <source>Building the wood from strands</source>
         <translation>Das Holz aus Strängen entsteht</translation>
+    </message>
+    <message>
+        <source>Growth has stopped: the tree has %L1 internodes, and the memory of this machine may not hold a larger one.</source>
+        <translation>Das Wachstum hat angehalten: der Baum hat %L1 Internodien, und der Speicher dieses Rechners fasst vielleicht keinen größeren.</translation>
+    </message>
+    <message>
+        <source>Allow More</source>
+        <translation>Mehr erlauben</translation>
+    </message>
+    <message>
+        <source>Leave It</source>
+        <translation>Dabei lassen</translation>
     </message>
 </context>
 <context>

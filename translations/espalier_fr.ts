@@ -464,13 +464,6 @@
     </message>
 </context>
 <context>
-    <name>WithinMemory</name>
-    <message>
-        <source>There is not enough memory for this.</source>
-        <translation>Il n’y a pas assez de mémoire pour cela.</translation>
-    </message>
-</context>
-<context>
     <name>BendTool</name>
     <message>
         <source>Pull a branch to bend it; or tap where the bend begins, then where to hold it</source>
@@ -1145,6 +1138,10 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
     <message>
         <source>it cannot be read: %1</source>
         <translation>il ne peut pas être lu : %1</translation>
+    </message>
+    <message>
+        <source>there is no such file</source>
+        <translation type="unfinished">ce fichier n’existe pas</translation>
     </message>
 </context>
 <context>
@@ -3502,6 +3499,10 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <source>one stroke or more is expected</source>
         <translation>au moins un trait est attendu</translation>
     </message>
+    <message>
+        <source>growth stopped at %1 internodes, since the memory of this machine may not hold more</source>
+        <translation>la croissance s’est arrêtée à %1 entre-nœuds, car la mémoire de cette machine ne suffira peut-être pas pour davantage</translation>
+    </message>
 </context>
 <context>
     <name>RecipeTool</name>
@@ -3972,6 +3973,13 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
     <message>
         <source>Tap a branch to fix its width; drag the ends of the handle to change it</source>
         <translation>Toucher une branche pour fixer son épaisseur&#xa0;; tirer les bouts de la poignée pour la changer</translation>
+    </message>
+</context>
+<context>
+    <name>WithinMemory</name>
+    <message>
+        <source>There is not enough memory for this.</source>
+        <translation>Il n’y a pas assez de mémoire pour cela.</translation>
     </message>
 </context>
 <context>
@@ -4757,6 +4765,18 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
     <message>
         <source>Building the wood from strands</source>
         <translation>Création du bois en brins</translation>
+    </message>
+    <message>
+        <source>Growth has stopped: the tree has %L1 internodes, and the memory of this machine may not hold a larger one.</source>
+        <translation>La croissance s’est arrêtée : l’arbre a %L1 entre-nœuds, et la mémoire de cette machine ne suffira peut-être pas pour un plus grand.</translation>
+    </message>
+    <message>
+        <source>Allow More</source>
+        <translation>Autoriser davantage</translation>
+    </message>
+    <message>
+        <source>Leave It</source>
+        <translation>En rester là</translation>
     </message>
 </context>
 <context>

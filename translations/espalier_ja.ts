@@ -464,13 +464,6 @@
     </message>
 </context>
 <context>
-    <name>WithinMemory</name>
-    <message>
-        <source>There is not enough memory for this.</source>
-        <translation>このためのメモリが足りません。</translation>
-    </message>
-</context>
-<context>
     <name>BendTool</name>
     <message>
         <source>Pull a branch to bend it; or tap where the bend begins, then where to hold it</source>
@@ -1138,6 +1131,10 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
     <message>
         <source>it cannot be read: %1</source>
         <translation>読み込めません: %1</translation>
+    </message>
+    <message>
+        <source>there is no such file</source>
+        <translation type="unfinished">このファイルはありません</translation>
     </message>
 </context>
 <context>
@@ -3055,7 +3052,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
     </message>
     <message>
         <source>What you did is in a safety copy in %1; the next start offers it. The fault is described in %2.</source>
-        <translation>作業内容は %1 の安全コピーにあり、次の起動時に復元できます。エラーの内容は %2 にあります。</translation>
+        <translation>作業内容は %1 の控えにあり、次の起動時に復元できます。エラーの内容は %2 にあります。</translation>
     </message>
 </context>
 <context>
@@ -3494,6 +3491,10 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
     <message>
         <source>one stroke or more is expected</source>
         <translation>1 つ以上の線が必要です</translation>
+    </message>
+    <message>
+        <source>growth stopped at %1 internodes, since the memory of this machine may not hold more</source>
+        <translation>このコンピューターのメモリに入らないかもしれないため、成長は %1 節間で止まりました</translation>
     </message>
 </context>
 <context>
@@ -3965,6 +3966,13 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
     <message>
         <source>Tap a branch to fix its width; drag the ends of the handle to change it</source>
         <translation>枝をタップして太さを固定し、ハンドルの端をドラッグして変えます</translation>
+    </message>
+</context>
+<context>
+    <name>WithinMemory</name>
+    <message>
+        <source>There is not enough memory for this.</source>
+        <translation>このためのメモリが足りません。</translation>
     </message>
 </context>
 <context>
@@ -4750,6 +4758,18 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
     <message>
         <source>Building the wood from strands</source>
         <translation>ストランドの木を作成中</translation>
+    </message>
+    <message>
+        <source>Growth has stopped: the tree has %L1 internodes, and the memory of this machine may not hold a larger one.</source>
+        <translation>成長を止めました。木には %L1 の節間があり、このコンピューターのメモリにはこれより大きい木が入らないかもしれません。</translation>
+    </message>
+    <message>
+        <source>Allow More</source>
+        <translation>さらに成長させる</translation>
+    </message>
+    <message>
+        <source>Leave It</source>
+        <translation>このままにする</translation>
     </message>
 </context>
 <context>

@@ -464,13 +464,6 @@
     </message>
 </context>
 <context>
-    <name>WithinMemory</name>
-    <message>
-        <source>There is not enough memory for this.</source>
-        <translation>Na to nie wystarcza pamięci.</translation>
-    </message>
-</context>
-<context>
     <name>BendTool</name>
     <message>
         <source>Pull a branch to bend it; or tap where the bend begins, then where to hold it</source>
@@ -1147,6 +1140,10 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
     <message>
         <source>it cannot be read: %1</source>
         <translation>nie można go odczytać: %1</translation>
+    </message>
+    <message>
+        <source>there is no such file</source>
+        <translation type="unfinished">nie ma takiego pliku</translation>
     </message>
 </context>
 <context>
@@ -3064,7 +3061,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
     </message>
     <message>
         <source>What you did is in a safety copy in %1; the next start offers it. The fault is described in %2.</source>
-        <translation>To, co zrobiono, jest w kopii bezpieczeństwa w %1; przy następnym uruchomieniu można ją przywrócić. Błąd opisano w %2.</translation>
+        <translation>To, co zrobiono, jest w kopii zapasowej w %1; przy następnym uruchomieniu można ją przywrócić. Błąd opisano w %2.</translation>
     </message>
 </context>
 <context>
@@ -3503,6 +3500,10 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
     <message>
         <source>one stroke or more is expected</source>
         <translation>oczekiwano co najmniej jednego pociągnięcia</translation>
+    </message>
+    <message>
+        <source>growth stopped at %1 internodes, since the memory of this machine may not hold more</source>
+        <translation>wzrost zatrzymał się na %1 międzywęźlach, bo pamięć tego komputera może nie pomieścić więcej</translation>
     </message>
 </context>
 <context>
@@ -3974,6 +3975,13 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
     <message>
         <source>Tap a branch to fix its width; drag the ends of the handle to change it</source>
         <translation>Stuknąć gałąź, aby ustalić jej grubość; przeciągnąć końce uchwytu, aby ją zmienić</translation>
+    </message>
+</context>
+<context>
+    <name>WithinMemory</name>
+    <message>
+        <source>There is not enough memory for this.</source>
+        <translation>Na to nie wystarcza pamięci.</translation>
     </message>
 </context>
 <context>
@@ -4759,6 +4767,18 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
     <message>
         <source>Building the wood from strands</source>
         <translation>Tworzenie drewna z pasm</translation>
+    </message>
+    <message>
+        <source>Growth has stopped: the tree has %L1 internodes, and the memory of this machine may not hold a larger one.</source>
+        <translation>Wzrost zatrzymano: drzewo ma %L1 międzywęźli, a pamięć tego komputera może nie pomieścić większego.</translation>
+    </message>
+    <message>
+        <source>Allow More</source>
+        <translation>Pozwól na więcej</translation>
+    </message>
+    <message>
+        <source>Leave It</source>
+        <translation>Zostaw tak</translation>
     </message>
 </context>
 <context>

@@ -2,6 +2,7 @@
 #include "app/runners/GrowthRunner.h"
 
 #include "app/runners/Background.h"
+#include "commands/GrowthCeiling.h"
 #include "commands/GrowthReplica.h"
 #include "model/base/Parallel.h"
 
@@ -28,6 +29,7 @@ void GrowthRunner::start(std::unique_ptr<GrowthGesture> gesture, Pace pace, Cont
     m_gesture = std::move(gesture);
     m_gesture->setInterrupted([this] { end(); });
     m_pace = pace;
+    m_ceiling = std::max(m_leastCeiling, std::min(m_mostCeiling, growthCeiling(m_document.tree())));
     m_goOn = std::move(goOn);
     m_sinceLast.invalidate();
     if (!m_document.areParametersHeld())
@@ -72,6 +74,9 @@ void GrowthRunner::show()
     } else if (--m_pace.steps == 0) {
         end();
         Q_EMIT finished();
+    } else if (m_document.tree().size() >= m_ceiling) {
+        end();
+        Q_EMIT ceilingReached();
     } else {
         ask();
     }

@@ -37,6 +37,10 @@ public:
     void release();
     /// Ends growth at once and keeps its steps.
     void end();
+    /// After ceilingReached(): the next growth goes on beyond it, by half of what the tree has now.
+    void raiseCeiling() { m_leastCeiling = m_document.tree().size() + m_document.tree().size() / 2; }
+    /// Sets the ceiling that the next growth has at most.
+    void limitCeiling(std::uint32_t internodes) { m_mostCeiling = internodes; }
     /// Ends growth at once and takes back its steps; after a change of parameters, only the steps since.
     void cancel();
 
@@ -46,6 +50,8 @@ Q_SIGNALS:
     void finished();
     /// Growth has ended because the tree finds no more space.
     void exhausted();
+    /// Growth has ended because the machine's memory may not hold a tree of more internodes.
+    void ceilingReached();
 
 protected:
     /// Makes a gesture that continues growth after parameters were changed; null if that is not possible.
@@ -71,6 +77,9 @@ private:
     std::unique_ptr<GrowthGesture> m_gesture;
     Continuation m_goOn;
     Pace m_pace;
+    std::uint32_t m_ceiling = 0; ///< Internodes
+    std::uint32_t m_leastCeiling = 0;
+    std::uint32_t m_mostCeiling = std::numeric_limits<std::uint32_t>::max();
     std::shared_ptr<GrowthReplica> m_replica; ///< Null while parameters are held
     std::optional<GrownStep> m_next;          ///< Computed, but not due yet
     QElapsedTimer m_sinceLast;

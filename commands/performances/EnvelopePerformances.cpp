@@ -19,7 +19,10 @@ public:
     {
     }
 
-    QString warning() const override { return m_warning; }
+    QString warning() const override
+    {
+        return m_warning.isEmpty() ? GrowthPerformance::warning() : m_warning;
+    }
     const LassoGesture* lasso() const override { return static_cast<const LassoGesture*>(&gesture()); }
 
 private:

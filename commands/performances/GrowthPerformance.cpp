@@ -2,6 +2,7 @@
 #include "commands/performances/GrowthPerformance.h"
 
 #include "commands/GrowGesture.h"
+#include "commands/GrowthCeiling.h"
 #include "commands/recipe/GrowOperation.h"
 #include "commands/recipe/RecipeText.h"
 
@@ -21,7 +22,9 @@ public:
 
     QString warning() const override
     {
-        return m_warning.isEmpty() && gesture().stepCount() == 0 ? RecipeText::tr("nothing grew") : m_warning;
+        if (!m_warning.isEmpty())
+            return m_warning;
+        return gesture().stepCount() == 0 ? RecipeText::tr("nothing grew") : GrowthPerformance::warning();
     }
 
 private:
@@ -31,7 +34,9 @@ private:
 } // namespace
 
 GrowthPerformance::GrowthPerformance(std::unique_ptr<GrowthGesture> gesture, int mostSteps)
-    : m_gesture(std::move(gesture)), m_mostSteps(mostSteps)
+    : m_gesture(std::move(gesture)),
+      m_ceiling(growthCeiling(m_gesture->document().tree())),
+      m_mostSteps(mostSteps)
 {
 }
 
@@ -41,6 +46,13 @@ bool GrowthPerformance::advance(double seconds)
     for (; m_steps < m_mostSteps; ++m_steps, m_due -= 1.0) {
         if (m_due < 1.0)
             return false;
+        const std::uint32_t internodes = m_gesture->document().tree().size();
+        if (internodes >= m_ceiling) {
+            m_ceilingWarning = RecipeText::tr("growth stopped at %1 internodes, since the memory of this "
+                                              "machine may not hold more")
+                                   .arg(internodes);
+            break;
+        }
         if (!m_gesture->step())
             break;
     }

@@ -18,6 +18,8 @@
 #include <QTest>
 #include <QUndoView>
 
+#include <limits>
+
 using namespace espalier;
 
 /// The user lets the tree grow, and goes back in time.
@@ -28,6 +30,7 @@ private Q_SLOTS:
     void holdingGrow_isOneUndoStep();
     void growTool_growsWhileTheHandHolds();
     void manySteps_areStoppedByEscape();
+    void growthAtTheCeiling_asksBeforeItGoesOn();
     void strokeDuringGrowth_endsIt();
     void newTreeDuringGrowth_isAskedAbout();
     void timeSlider_ungrowsAndComesBack();
@@ -66,6 +69,25 @@ void GrowingTest::holdingGrow_isOneUndoStep()
     QTest::keyClick(handle(), Qt::Key_G);
     QTRY_COMPARE(m_window->document().undoStack().count(), 2);
     QCOMPARE(m_window->document().tree().step(), grown + 1);
+}
+
+void GrowingTest::growthAtTheCeiling_asksBeforeItGoesOn()
+{
+    GrowRunner& runner = m_window->growRunner();
+    runner.limitCeiling(40);
+    runner.run(1000);
+    QTRY_VERIFY_WITH_TIMEOUT(!runner.isRunning(), 30'000);
+    const auto& notice = m_window->workspace().notice();
+    const std::uint32_t grown = m_window->document().tree().size();
+    QVERIFY(grown >= 40 && grown < 400);
+    QVERIFY2(notice.text().contains(QStringLiteral("Growth has stopped")), qPrintable(notice.text()));
+    QCOMPARE(m_window->document().undoStack().count(), 1);
+    QTest::mouseClick(notice.findChild<QPushButton*>(), Qt::LeftButton);
+    runner.run(1);
+    QTRY_VERIFY_WITH_TIMEOUT(!runner.isRunning(), 30'000);
+    QVERIFY(m_window->document().tree().size() > grown);
+    runner.limitCeiling(std::numeric_limits<std::uint32_t>::max());
+    m_window->document().undoStack().setClean();
 }
 
 void GrowingTest::growTool_growsWhileTheHandHolds()

@@ -42,6 +42,8 @@ private Q_SLOTS:
     void diskThatTakesNothing_leavesOldFilesAndFails_data();
     void diskThatTakesNothing_leavesOldFilesAndFails();
     void fullDisk_isSaidInWords();
+    void growthWithoutEnd_stopsAtTheMemory();
+    void argumentsThatAreNotText_areRefused();
     void picture_isDrawnOnADisplay();
     void demonstration_onAVirtualDisplay_writesItsFiles();
 
@@ -549,6 +551,44 @@ void ProgramTest::fullDisk_isSaidInWords()
     const Outcome outcome = run({"replay", "r.json", "--stats", "/dev/full"});
     QCOMPARE(outcome.code, 4);
     QCOMPARE(outcome.error, QByteArray("espalier: full: the disk is full\n"));
+}
+
+void ProgramTest::growthWithoutEnd_stopsAtTheMemory()
+{
+    write(QStringLiteral("endless.json"),
+          R"({"espalier-recipe": 1, "operations": [{"op": "grow", "steps": 10000}]})");
+    QProcess process;
+    process.setChildProcessModifier([] {
+        const rlimit most = {900U << 20U, RLIM_INFINITY};
+        ::setrlimit(RLIMIT_AS, &most);
+    });
+    process.setProcessEnvironment(withoutDisplay());
+    process.setWorkingDirectory(m_folder->path());
+    process.start(QCoreApplication::applicationDirPath() + QStringLiteral("/espalier"),
+                  {QStringLiteral("replay"), QStringLiteral("endless.json"), QStringLiteral("-o"),
+                   QStringLiteral("endless.csv")});
+    QVERIFY(process.waitForFinished(200'000));
+    QCOMPARE(process.exitStatus(), QProcess::NormalExit);
+    QCOMPARE(process.exitCode(), 0);
+    const QByteArray error = process.readAllStandardError();
+    QVERIFY2(error.contains("grow: growth stopped at") && error.contains("may not hold more"),
+             error.constData());
+    QVERIFY(read(QStringLiteral("endless.csv")).size() > 1'000'000);
+}
+
+void ProgramTest::argumentsThatAreNotText_areRefused()
+{
+    // QProcess would make text of it.
+    QProcess process;
+    process.setProcessEnvironment(withoutDisplay());
+    process.setWorkingDirectory(m_folder->path());
+    process.start(QStringLiteral("sh"),
+                  {QStringLiteral("-c"), QStringLiteral("exec \"$0\" info \"$(printf 'a\\377.espalier')\""),
+                   QCoreApplication::applicationDirPath() + QStringLiteral("/espalier")});
+    QVERIFY(process.waitForFinished(200'000));
+    QCOMPARE(process.exitCode(), 2);
+    const QByteArray error = process.readAllStandardError();
+    QVERIFY2(error.contains("is not valid UTF-8"), error.constData());
 }
 
 void ProgramTest::picture_isDrawnOnADisplay()
