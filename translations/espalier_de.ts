@@ -1142,7 +1142,7 @@ geschrieben werden konnte.
     </message>
     <message>
         <source>there is no such file</source>
-        <translation type="unfinished">diese Datei gibt es nicht</translation>
+        <translation>diese Datei gibt es nicht</translation>
     </message>
 </context>
 <context>

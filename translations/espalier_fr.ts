@@ -1141,7 +1141,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
     </message>
     <message>
         <source>there is no such file</source>
-        <translation type="unfinished">ce fichier n’existe pas</translation>
+        <translation>ce fichier n’existe pas</translation>
     </message>
 </context>
 <context>

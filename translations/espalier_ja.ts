@@ -1134,7 +1134,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
     </message>
     <message>
         <source>there is no such file</source>
-        <translation type="unfinished">このファイルはありません</translation>
+        <translation>このファイルはありません</translation>
     </message>
 </context>
 <context>

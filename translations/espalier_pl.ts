@@ -1143,7 +1143,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
     </message>
     <message>
         <source>there is no such file</source>
-        <translation type="unfinished">nie ma takiego pliku</translation>
+        <translation>nie ma takiego pliku</translation>
     </message>
 </context>
 <context>
