@@ -42,7 +42,8 @@ int distance(const uchar* a, const std::array<int, 3>& b)
 /// The common colour of all four corners, if they have one.
 std::optional<std::array<int, 3>> backgroundOf(const QImage& image)
 {
-    const int patch = std::max(2, std::min(image.width(), image.height()) / 50);
+    const int shorter = std::min(image.width(), image.height());
+    const int patch = std::clamp(shorter / 50, std::min(2, shorter), shorter);
     std::array<int, 3> sum{};
     std::vector<const uchar*> pixels;
     for (const int left : {0, image.width() - patch}) {

@@ -24,7 +24,9 @@ QByteArray bytesOf(const std::uint8_t* data, std::size_t size)
 std::size_t mutatedEntry(std::uint8_t* data, std::size_t size, std::size_t most, unsigned seed)
 {
     using namespace espalier::test;
-    ZipEntries entries = unpackEntries(bytesOf(data, size));
+    const QByteArray archive = bytesOf(data, size);
+    // The test's own reader trusts its archives.
+    ZipEntries entries = espalier::ZipReader::open(archive) ? unpackEntries(archive) : ZipEntries();
     if (entries.empty())
         return LLVMFuzzerMutate(data, size, most);
     QByteArray& content = entries[seed % entries.size()].second;
