@@ -123,6 +123,14 @@ void Log::open()
     otherHandler = qInstallMessageHandler(handleMessage);
 }
 
+void Log::close()
+{
+    qInstallMessageHandler(otherHandler);
+    const QMutexLocker lock(&mutex);
+    if (const int opened = descriptor.exchange(-1); opened >= 0)
+        ::close(opened);
+}
+
 void Log::note(const QString& line)
 {
     const QMutexLocker lock(&mutex);

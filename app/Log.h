@@ -16,6 +16,8 @@ public:
     /// Begins to write, and to write down Qt's warnings. A full log becomes espalier.1.log, that one
     /// espalier.2.log; older ones go.
     static void open();
+    /// Ends that.
+    static void close();
     /// Adds a line, with the time. Does nothing unless the log is open. Can be called on any thread.
     static void note(const QString& line);
     /// The last lines, of all that was written, up to @p bytes.

@@ -2,10 +2,13 @@
 #include "app/MainWindow.h"
 
 #include "app/Language.h"
+#include "app/Log.h"
+#include "commands/recipe/JournalRecipe.h"
 #include "panels/BrushPanel.h"
 #include "panels/HelpPanel.h"
 #include "panels/Notice.h"
 #include "panels/ParameterPanel.h"
+#include "panels/ReportSheet.h"
 #include "panels/RingMenu.h"
 #include "panels/SettingsSheet.h"
 #include "panels/Theme.h"
@@ -19,6 +22,7 @@
 #include <QFileInfo>
 #include <QMimeData>
 #include <QScreen>
+#include <QSysInfo>
 
 namespace espalier {
 
@@ -119,6 +123,7 @@ void MainWindow::connectFiles()
     keep(ActionId::SaveRecipe, [this] { m_files->saveAsRecipe(); });
     keep(ActionId::Export, [this] { m_files->exportTree(); });
     keep(ActionId::SavePicture, [this] { m_pictures->ask(); });
+    keep(ActionId::Report, [this] { reportProblem(); });
     keep(ActionId::CopyPicture, [this] { m_pictures->copyShown(); });
     connect(m_actions[ActionId::Settings], &QAction::triggered, this, [this] { showSettings(); });
     connect(m_actions[ActionId::Quit], &QAction::triggered, this, &QWidget::close);
@@ -222,6 +227,41 @@ SettingsSheet& MainWindow::showSettings()
             [this](int percent) { m_settings.setInterfaceScale(percent); });
     sheet->show();
     return *sheet;
+}
+
+void MainWindow::reportProblem()
+{
+    constexpr qsizetype kLogBytes = 20'000;
+    m_workspace->viewport().finishGesture();
+    const QScreen& screen = *this->screen();
+    const Tree& tree = m_document.tree();
+    const QStringList facts{
+        QStringLiteral("Espalier %1, Qt %2")
+            .arg(QStringLiteral(ESPALIER_VERSION), QString::fromLatin1(qVersion())),
+        QStringLiteral("%1, %2, %3")
+            .arg(QSysInfo::prettyProductName(), QSysInfo::currentCpuArchitecture(),
+                 QGuiApplication::platformName()),
+        m_workspace->viewport().glDescription(),
+        QStringLiteral("Screen %1 × %2, scale %3; window %4 × %5")
+            .arg(screen.size().width())
+            .arg(screen.size().height())
+            .arg(devicePixelRatioF())
+            .arg(width())
+            .arg(height()),
+        QStringLiteral("Tree of %1 internodes, %2 of them living, with %3 steps of history")
+            .arg(tree.size())
+            .arg(m_document.index().livingCount())
+            .arg(m_document.journal().size() + m_document.future().size()),
+        QString(),
+        QStringLiteral("Log:"),
+        Log::tail(kLogBytes)};
+    const auto recipe = [this] {
+        const Result<Recipe> made = recipeOf(m_files->file().snapshot());
+        return made ? QString::fromUtf8(writeRecipe(*made)) : made.error().message;
+    };
+    auto* sheet = new ReportSheet(facts.join(QLatin1Char('\n')), recipe, this);
+    sheet->setAttribute(Qt::WA_DeleteOnClose);
+    sheet->show();
 }
 
 void MainWindow::prefer(const Preferences& preferences)

@@ -78,6 +78,7 @@ private:
     void connectFiles();
     void connectTools();
     void askAboutCeiling(GrowthRunner& runner);
+    void reportProblem();
     void connectView();
     void connectLibrary();
     /// Makes the workspace and what leads it, and tells them of the parts that outlive them.

@@ -13,6 +13,7 @@
 #include "app/files/Settings.h"
 #include "model/base/Memory.h"
 #include "panels/Theme.h"
+#include "views/Viewport.h"
 #include "views/render/GlResources.h"
 
 #include <QApplication>
@@ -101,6 +102,10 @@ int runWindow(const CommandLine& line, QApplication& application)
     const TerminationSignals terminationSignals;
     QObject::connect(&terminationSignals, &TerminationSignals::asked, &window, &MainWindow::leaveAtOnce);
     window.show();
+    Viewport& viewport = window.workspace().viewport();
+    QObject::connect(
+        &viewport, &QOpenGLWidget::frameSwapped, &viewport,
+        [&viewport] { Log::note(viewport.glDescription()); }, Qt::SingleShotConnection);
     if (demo && isDisplayVirtual()) {
         demonstrateUnseen(window, *demo);
     } else if (demo) {
@@ -115,6 +120,7 @@ int runWindow(const CommandLine& line, QApplication& application)
     }
     const int code = QApplication::exec();
     Log::note(QStringLiteral("Espalier ends"));
+    Log::close();
     return code;
 }
 

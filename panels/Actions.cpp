@@ -171,6 +171,8 @@ const std::array<ActionEntry, static_cast<std::size_t>(ActionId::Count)>& Action
          QT_TRANSLATE_NOOP("Actions", "Fill the whole screen."), "F11", "fullscreen", true},
         {Help, Group::Window, "help", QT_TRANSLATE_NOOP("Actions", "Help"),
          QT_TRANSLATE_NOOP("Actions", "Help on the current tool, and on everything else."), "F1", "help"},
+        {Report, Group::Window, "report", QT_TRANSLATE_NOOP("Actions", "Report a Problem…"),
+         QT_TRANSLATE_NOOP("Actions", "Copy what a report should have: version, graphics and log."), "", ""},
     }};
     return entries;
 }

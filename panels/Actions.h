@@ -68,6 +68,7 @@ enum class ActionId {
     HideInterface,
     FullScreen,
     Help,
+    Report,
     Count
 };
 

@@ -455,6 +455,14 @@
         <source>Show the tree from the right, in a corner of the window; draw there, too, to give it depth.</source>
         <translation>Den Baum in einer Ecke von rechts zeigen; auch dort zeichnen gibt ihm Tiefe.</translation>
     </message>
+    <message>
+        <source>Report a Problem…</source>
+        <translation>Problem melden …</translation>
+    </message>
+    <message>
+        <source>Copy what a report should have: version, graphics and log.</source>
+        <translation>Kopieren, was ein Bericht enthalten soll: Version, Grafik und Protokoll.</translation>
+    </message>
 </context>
 <context>
     <name>AddBudsTool</name>
@@ -5193,6 +5201,37 @@ geschrieben werden konnte.
     <message>
         <source>Later</source>
         <translation>Später</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::ReportSheet</name>
+    <message>
+        <source>With the recipe of this tree</source>
+        <translation>Mit dem Rezept dieses Baums</translation>
+    </message>
+    <message>
+        <source>Report a Problem</source>
+        <translation>Problem melden</translation>
+    </message>
+    <message>
+        <source>Copy this text, and add what you did and what happened. Espalier sends nothing by itself. Without the recipe, the text has nothing of your tree.</source>
+        <translation>Kopieren Sie diesen Text und fügen Sie hinzu, was Sie getan haben und was geschehen ist. Espalier sendet selbst nichts. Ohne das Rezept enthält der Text nichts von Ihrem Baum.</translation>
+    </message>
+    <message>
+        <source>Text of the report</source>
+        <translation>Text des Berichts</translation>
+    </message>
+    <message>
+        <source>All that was done to the tree, so that others can do it again.</source>
+        <translation>Alles, was mit dem Baum getan wurde, damit andere es wiederholen können.</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Kopieren</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
     </message>
 </context>
 <context>

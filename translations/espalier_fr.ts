@@ -455,6 +455,14 @@
         <source>Show the tree from the right, in a corner of the window; draw there, too, to give it depth.</source>
         <translation>Montrer l’arbre vu de droite dans un coin ; dessinez-y aussi pour lui donner de la profondeur.</translation>
     </message>
+    <message>
+        <source>Report a Problem…</source>
+        <translation>Signaler un problème…</translation>
+    </message>
+    <message>
+        <source>Copy what a report should have: version, graphics and log.</source>
+        <translation>Copier ce qu’un rapport doit contenir : version, affichage et journal.</translation>
+    </message>
 </context>
 <context>
     <name>AddBudsTool</name>
@@ -5192,6 +5200,37 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
     <message>
         <source>Later</source>
         <translation>Plus tard</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::ReportSheet</name>
+    <message>
+        <source>With the recipe of this tree</source>
+        <translation>Avec la recette de cet arbre</translation>
+    </message>
+    <message>
+        <source>Report a Problem</source>
+        <translation>Signaler un problème</translation>
+    </message>
+    <message>
+        <source>Copy this text, and add what you did and what happened. Espalier sends nothing by itself. Without the recipe, the text has nothing of your tree.</source>
+        <translation>Copiez ce texte et ajoutez ce que vous avez fait et ce qui s’est passé. Espalier n’envoie rien de lui-même. Sans la recette, le texte ne contient rien de votre arbre.</translation>
+    </message>
+    <message>
+        <source>Text of the report</source>
+        <translation>Texte du rapport</translation>
+    </message>
+    <message>
+        <source>All that was done to the tree, so that others can do it again.</source>
+        <translation>Tout ce qui a été fait à l’arbre, pour que d’autres puissent le refaire.</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Copier</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Fermer</translation>
     </message>
 </context>
 <context>

@@ -455,6 +455,14 @@
         <source>Show the tree from the right, in a corner of the window; draw there, too, to give it depth.</source>
         <translation>隅に、右から見た木を表示します。そこにも描くと、木に奥行きが出ます。</translation>
     </message>
+    <message>
+        <source>Report a Problem…</source>
+        <translation>問題を報告…</translation>
+    </message>
+    <message>
+        <source>Copy what a report should have: version, graphics and log.</source>
+        <translation>報告に必要な内容（バージョン、グラフィックス、ログ）をコピーします。</translation>
+    </message>
 </context>
 <context>
     <name>AddBudsTool</name>
@@ -5184,6 +5192,37 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
     <message>
         <source>Later</source>
         <translation>後で</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::ReportSheet</name>
+    <message>
+        <source>With the recipe of this tree</source>
+        <translation>この木のレシピも含める</translation>
+    </message>
+    <message>
+        <source>Report a Problem</source>
+        <translation>問題を報告</translation>
+    </message>
+    <message>
+        <source>Copy this text, and add what you did and what happened. Espalier sends nothing by itself. Without the recipe, the text has nothing of your tree.</source>
+        <translation>このテキストをコピーし、何をしたか、何が起こったかを書き加えてください。Espalier が自動で送信することはありません。レシピを含めなければ、木の内容は入りません。</translation>
+    </message>
+    <message>
+        <source>Text of the report</source>
+        <translation>報告のテキスト</translation>
+    </message>
+    <message>
+        <source>All that was done to the tree, so that others can do it again.</source>
+        <translation>木に対して行ったことのすべて。ほかの人が同じことを再現できます。</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>コピー</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>閉じる</translation>
     </message>
 </context>
 <context>

@@ -455,6 +455,14 @@
         <source>Show the tree from the right, in a corner of the window; draw there, too, to give it depth.</source>
         <translation>Pokazać w rogu drzewo z prawej; rysowanie także tam daje mu głębię.</translation>
     </message>
+    <message>
+        <source>Report a Problem…</source>
+        <translation>Zgłoś problem…</translation>
+    </message>
+    <message>
+        <source>Copy what a report should have: version, graphics and log.</source>
+        <translation>Skopiuj to, co powinno znaleźć się w zgłoszeniu: wersję, dane o grafice i dziennik.</translation>
+    </message>
 </context>
 <context>
     <name>AddBudsTool</name>
@@ -5195,6 +5203,37 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
     <message>
         <source>Later</source>
         <translation>Później</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::ReportSheet</name>
+    <message>
+        <source>With the recipe of this tree</source>
+        <translation>Z przepisem tego drzewa</translation>
+    </message>
+    <message>
+        <source>Report a Problem</source>
+        <translation>Zgłoś problem</translation>
+    </message>
+    <message>
+        <source>Copy this text, and add what you did and what happened. Espalier sends nothing by itself. Without the recipe, the text has nothing of your tree.</source>
+        <translation>Skopiuj ten tekst i dodaj, co robiono i co się stało. Espalier sam niczego nie wysyła. Bez przepisu tekst nie zawiera niczego z drzewa.</translation>
+    </message>
+    <message>
+        <source>Text of the report</source>
+        <translation>Tekst zgłoszenia</translation>
+    </message>
+    <message>
+        <source>All that was done to the tree, so that others can do it again.</source>
+        <translation>Wszystko, co zrobiono z drzewem, aby inni mogli to powtórzyć.</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Kopiuj</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Zamknij</translation>
     </message>
 </context>
 <context>

@@ -121,6 +121,8 @@ public:
 
     /// The picture of the tree, without the overlays of tools and the sun's ball.
     QImage grabPicture();
+    /// Renderer and version of OpenGL, in the driver's words; empty before the first picture.
+    const QString& glDescription() const { return m_glDescription; }
 
     /// The number of passes for a picture at rest, 1...RenderOptions::kBestSamples: fewer are ready sooner
     /// where there is no graphics card, with rougher edges.
@@ -254,6 +256,7 @@ private:
 
     FramePacer m_pacer;
     bool m_isGrowing = false;
+    QString m_glDescription;
     bool m_pictureIsOld = true;
     int m_passes = 0; ///< Number of passes that the shown picture is the mean of
     bool m_passIsDue = false;

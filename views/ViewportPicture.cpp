@@ -38,6 +38,10 @@ void Viewport::initializeGL()
     Gl* gl = currentGl();
     if (gl == nullptr)
         qFatal("This program needs OpenGL 3.3");
+    const auto words = [gl](GLenum name) {
+        return QString::fromLatin1(reinterpret_cast<const char*>(gl->glGetString(name)));
+    };
+    m_glDescription = QStringLiteral("%1, OpenGL %2").arg(words(GL_RENDERER), words(GL_VERSION));
     m_renderer = std::make_unique<Renderer>(*gl);
     m_overlayRenderer = std::make_unique<OverlayRenderer>(*gl);
     m_picture = std::make_unique<RenderTarget>(*gl);

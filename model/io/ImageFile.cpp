@@ -50,6 +50,8 @@ Result<ImageAsset> glanceAtImage(const QByteArray& file, const QString& name)
     const QByteArray format = imageFormat(file);
     if (format.isEmpty())
         return inputError(name, ImageText::tr("it is neither a PNG nor a JPEG image"));
+    if (const QString fault = imageStructureFault(file); !fault.isEmpty())
+        return inputError(name, fault);
     QBuffer buffer;
     buffer.setData(file);
     const QSize size = QImageReader(&buffer, format).size();
@@ -64,8 +66,6 @@ Result<ImageAsset> glanceAtImage(const QByteArray& file, const QString& name)
     if (std::min(size.width(), size.height()) < imageLimits::kLeastEdge)
         return inputError(
             name, ImageText::tr("it is too small: only %1 × %2 pixels").arg(size.width()).arg(size.height()));
-    if (const QString fault = imageStructureFault(file, size); !fault.isEmpty())
-        return inputError(name, fault);
     return ImageAsset(file, name);
 }
 
@@ -93,7 +93,10 @@ Result<ImageAsset> readPictureFile(const QString& fileName)
     if (const Result<ImageAsset> image = readImage(*file, name))
         return image;
     allowLargeImages();
-    const QByteArray format = imageFormat(*file);
+    if (!imageFormat(*file).isEmpty()) {
+        if (const QString fault = imageStructureFault(*file); !fault.isEmpty())
+            return inputError(name, fault);
+    }
     QBuffer buffer(&*file);
     QImageReader reader(&buffer);
     reader.setDecideFormatFromContent(true);
@@ -101,10 +104,6 @@ Result<ImageAsset> readPictureFile(const QString& fileName)
     if (const QSize size = reader.size(); std::max(size.width(), size.height()) > ImageAsset::kLargestEdge)
         reader.setScaledSize(
             size.scaled(ImageAsset::kLargestEdge, ImageAsset::kLargestEdge, Qt::KeepAspectRatio));
-    if (!format.isEmpty()) {
-        if (const QString fault = imageStructureFault(*file, reader.size()); !fault.isEmpty())
-            return inputError(name, fault);
-    }
     const QImage pixels = reader.read();
     if (pixels.isNull())
         return inputError(name, ImageText::tr("it is not a picture that can be read"));

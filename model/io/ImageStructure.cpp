@@ -6,6 +6,7 @@
 #include <QCoreApplication>
 #include <QtEndian>
 
+#include <algorithm>
 #include <cstdint>
 
 namespace espalier {
@@ -54,11 +55,15 @@ QString pngFault(const QByteArray& file)
     return notWhole();
 }
 
-QString jpegFault(const QByteArray& file, const QSize& size)
+QString jpegFault(const QByteArray& file)
 {
     const auto byte = [&file](qsizetype at) { return static_cast<std::uint8_t>(file[at]); };
     const auto isRestart = [](std::uint8_t marker) { return marker >= 0xd0 && marker <= 0xd7; };
-    const qint64 pixels = qint64{size.width()} * size.height();
+    // Markers of a frame, which has the size, are 0xc0...0xcf but for three.
+    const auto isFrame = [](std::uint8_t marker) {
+        return marker >= 0xc0 && marker <= 0xcf && marker != 0xc4 && marker != 0xc8 && marker != 0xcc;
+    };
+    qint64 pixels = 0;
     int passes = 0;
     qsizetype at = 2;
     while (file.size() - at >= 2) {
@@ -84,6 +89,11 @@ QString jpegFault(const QByteArray& file, const QSize& size)
         const auto length = static_cast<qsizetype>(qFromBigEndian<quint16>(file.constData() + at));
         if (length < 2 || length > file.size() - at)
             return notWhole();
+        if (isFrame(marker) && length >= 8) {
+            const auto height = qFromBigEndian<quint16>(file.constData() + at + 3);
+            const auto width = qFromBigEndian<quint16>(file.constData() + at + 5);
+            pixels = std::max(pixels, qint64{width} * height);
+        }
         at += length;
         if (marker == 0xda && (++passes > kMostPasses || passes * pixels > kMostPassPixels))
             return tooLong();
@@ -93,9 +103,9 @@ QString jpegFault(const QByteArray& file, const QSize& size)
 
 } // namespace
 
-QString imageStructureFault(const QByteArray& file, const QSize& size)
+QString imageStructureFault(const QByteArray& file)
 {
-    return imageFormat(file) == "png" ? pngFault(file) : jpegFault(file, size);
+    return imageFormat(file) == "png" ? pngFault(file) : jpegFault(file);
 }
 
 } // namespace espalier

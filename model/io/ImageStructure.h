@@ -2,14 +2,14 @@
 #pragma once
 
 #include <QByteArray>
-#include <QSize>
 #include <QString>
 
 namespace espalier {
 
-/// What speaks against unpacking a PNG or JPEG file with pixels of that size, from a walk over its parts and
-/// without unpacking any: it ends too early, or it is made so that unpacking would take very long. A reason
-/// without a full stop; empty if there is none.
-QString imageStructureFault(const QByteArray& file, const QSize& size);
+/// What speaks against reading a PNG or JPEG file, from a walk over its parts and without unpacking any: it
+/// ends too early, a part claims to be longer than the file, or it is made so that unpacking would take very
+/// long. A reason without a full stop; empty if there is none. To be asked first: the libraries that unpack
+/// images allocate what a part claims.
+QString imageStructureFault(const QByteArray& file);
 
 } // namespace espalier

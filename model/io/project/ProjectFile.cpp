@@ -3,6 +3,7 @@
 
 #include "model/io/FileReader.h"
 #include "model/io/FileWriter.h"
+#include "model/io/ImageStructure.h"
 #include "model/io/JsonReader.h"
 #include "model/io/ZipArchive.h"
 #include "model/io/project/JournalCheck.h"
@@ -133,7 +134,7 @@ QImage readThumbnail(const ZipReader& archive)
     if (!archive.contains(kThumbnailEntry))
         return {};
     Result<QByteArray> png = archive.read(kThumbnailEntry, kMaximumThumbnail);
-    if (!png)
+    if (!png || imageFormat(*png) != "png" || !imageStructureFault(*png).isEmpty())
         return {};
     QBuffer buffer(&*png);
     QImageReader reader(&buffer, "png");

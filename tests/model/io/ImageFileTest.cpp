@@ -103,7 +103,7 @@ void ImageFileTest::refused_data()
     QTest::newRow("bitmap") << QByteArray("BM6\0\0\0")
                             << QStringLiteral("it is neither a PNG nor a JPEG image");
     QTest::newRow("cut off") << png.first(png.size() / 2) << QStringLiteral("the file is not whole");
-    QTest::newRow("only a head") << png.first(8) << QStringLiteral("the image is broken");
+    QTest::newRow("only a head") << png.first(8) << QStringLiteral("the file is not whole");
     QTest::newRow("damaged") << (png.first(60) + QByteArray(40, 'x') + png.sliced(100))
                              << QStringLiteral("the image is broken");
     QTest::newRow("too wide") << withSize(png, 8193, 4)
