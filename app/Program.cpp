@@ -40,14 +40,6 @@ void nameProgram()
     QGuiApplication::setDesktopFileName(QStringLiteral("espalier"));
 }
 
-/// Gives the interface the size that the user has chosen, unless the environment gives it one.
-void scaleInterface()
-{
-    const int percent = Settings().interfaceScale();
-    if (percent != 100 && !qEnvironmentVariableIsSet("QT_SCALE_FACTOR"))
-        qputenv("QT_SCALE_FACTOR", QByteArray::number(percent / 100.0));
-}
-
 /// Prints only fatal messages of Qt: without a window, the standard error is for the program's own messages.
 void onlyFatal(QtMsgType type, const QMessageLogContext&, const QString& message)
 {
@@ -171,7 +163,7 @@ int runProgram(int argc, char** argv)
         speakLanguage(Settings().preferences().language);
         return runWithoutWindow(arguments);
     }
-    scaleInterface();
+    Settings().scaleInterface();
     // A stroke has all the places of its pointer, also those that wait while a picture is drawn.
     QCoreApplication::setAttribute(Qt::AA_CompressHighFrequencyEvents, false);
     QApplication application(argc, argv);

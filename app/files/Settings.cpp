@@ -325,6 +325,13 @@ void Settings::setTourSeen(bool seen)
     Store().setValue(kTourSeen, seen);
 }
 
+void Settings::scaleInterface() const
+{
+    const int percent = interfaceScale();
+    if (percent != 100 && !qEnvironmentVariableIsSet("QT_SCALE_FACTOR"))
+        qputenv("QT_SCALE_FACTOR", QByteArray::number(percent / 100.0));
+}
+
 int Settings::interfaceScale() const
 {
     const QList<int> scales = SettingsSheet::scales();

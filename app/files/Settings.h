@@ -59,6 +59,9 @@ public:
     /// The size of the interface from the next start on, in percent of the system's: one of
     /// SettingsSheet::scales().
     int interfaceScale() const;
+    /// Gives the interface that size, unless the environment gives it one. To be called before the
+    /// application is made.
+    void scaleInterface() const;
     void setInterfaceScale(int percent);
 };
 

@@ -156,6 +156,18 @@ void SettingsTest::preferences_areRemembered()
     QTest::keyClick(box(sheet, "scale"), Qt::Key_Down);
     QTest::keyClick(box(sheet, "scale"), Qt::Key_Down);
     QCOMPARE(Settings().interfaceScale(), 150);
+    // The next start uses it, unless the environment has a size.
+    const QByteArray own = qgetenv("QT_SCALE_FACTOR");
+    qunsetenv("QT_SCALE_FACTOR");
+    Settings().scaleInterface();
+    QCOMPARE(qgetenv("QT_SCALE_FACTOR").toDouble(), 1.5);
+    qputenv("QT_SCALE_FACTOR", "1.25");
+    Settings().scaleInterface();
+    QCOMPARE(qgetenv("QT_SCALE_FACTOR"), QByteArray("1.25"));
+    if (own.isNull())
+        qunsetenv("QT_SCALE_FACTOR");
+    else
+        qputenv("QT_SCALE_FACTOR", own);
     const Preferences kept = Settings().preferences();
     QCOMPARE(kept.mouse, MouseScheme::Maya);
     QVERIFY(kept.areToolsRight);

@@ -11,6 +11,7 @@
 #include <QTest>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <limits>
 #include <optional>
@@ -26,6 +27,7 @@ class BrushArrivalTest : public QObject {
 private Q_SLOTS:
     void line_arrives_data();
     void line_arrives();
+    void corner_betweenTwoStepsOfGrowth_isDrawn();
     void line_farFromTheTree_arrives();
     void tapFarFromATree_growsNothing();
     void quickCrown_growsAsLongAsItsMarkersLive();
@@ -123,6 +125,27 @@ void BrushArrivalTest::line_arrives()
             QVERIFY(distanceToNodes(document, point) < 2.5F * internode + static_cast<float>(radius));
         }
     }
+}
+
+void BrushArrivalTest::corner_betweenTwoStepsOfGrowth_isDrawn()
+{
+    TreeDocument document;
+    drawTrunk(document);
+    // There and back within two steps of growth.
+    const Vec3 corner(0.9F, 1.3F, 0.0F);
+    const std::array ends{Vec3(0.0F, 1.2F, 0.0F), corner, Vec3(0.3F, 2.1F, 0.0F)};
+    std::vector<BrushSample> samples;
+    for (int i = 0; i <= 16; ++i) {
+        const float share = static_cast<float>(i % 9) / 8.0F;
+        const bool isBack = i > 8;
+        const float along = isBack ? static_cast<float>(i - 8) / 8.0F : share;
+        const Vec3& from = ends[isBack ? 1 : 0];
+        samples.push_back({0.005 * i, from + along * (ends[isBack ? 2 : 1] - from), 0.0F});
+    }
+    arrive(document, samples);
+    QVERIFY2(distanceToNodes(document, corner) < 0.15F,
+             qPrintable(QString::number(distanceToNodes(document, corner))));
+    QVERIFY(distanceToNodes(document, ends[2]) < 0.15F);
 }
 
 void BrushArrivalTest::line_farFromTheTree_arrives()

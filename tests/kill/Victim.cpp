@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A program that edits, saves and exports at random until the test kills it; see KillTest.cpp. It prints what
 // it does, a line each, before and after it is done:
+//   doing N              the N-th operation begins
 //   done N DIGEST MS   the N-th operation was finished at that time, and gave a document with that digest
 //   safe N             the safety copy has all operations up to the N-th
 //   saving N FILE      the document after the N-th operation is going to be written
@@ -66,6 +67,7 @@ private:
 
     void edit()
     {
+        tell(QStringLiteral("doing %1").arg(m_done + 1));
         const int undoable = m_document.undoStack().index();
         doByHand(m_document, m_random.next(m_document, undoable), m_random);
         // The clock of the system, which the test has, too.

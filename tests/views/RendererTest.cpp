@@ -130,6 +130,7 @@ private Q_SLOTS:
     void picture_doesNotDependOnHowTheTreeCameAbout();
     void scene_followsDeltasBothWays();
     void leavesAndGround_canBeHidden();
+    void ground_fillsTheLowerPartFromAnyDistance();
     void shadows_darken();
     void ambientLight_isLessInsideTheCrown();
     void motion_changesNoColours_data();
@@ -292,6 +293,23 @@ void RendererTest::leavesAndGround_canBeHidden()
     RenderOptions floating;
     floating.view.groundShown = false;
     QVERIFY(difference(whole, draw(*m_scene, floating)) > 300);
+}
+
+void RendererTest::ground_fillsTheLowerPartFromAnyDistance()
+{
+    RenderOptions floating;
+    floating.view.groundShown = false;
+    std::vector<int> shown; ///< Pixels of the ground
+    for (const float distance : {12.0F, 40.0F, 100.0F}) {
+        Camera camera = pictureCamera(NamedView::ThreeQuarter, *m_scene, kSize);
+        camera.setDistance(distance);
+        const auto whole = m_renderer->render(*m_scene, camera, {});
+        const auto bare = m_renderer->render(*m_scene, camera, floating);
+        QVERIFY(whole && bare);
+        shown.push_back(difference(*whole, *bare));
+    }
+    QVERIFY2(shown[1] > shown[0] / 2 && shown[2] > shown[0] / 2,
+             qPrintable(QStringLiteral("%1 %2 %3 pixels").arg(shown[0]).arg(shown[1]).arg(shown[2])));
 }
 
 void RendererTest::shadows_darken()

@@ -590,15 +590,19 @@ void ShapingToolsTest::widthTap_takesTheTrunkAndNotTheTwigInFront()
     take<WidthTool>();
     setWidth(*m_document, 7, 0.2);
     // A twig that comes toward the viewer, in front of the trunk.
-    const std::vector<NewInternode> twig{{.parent = 5,
+    const std::vector<NewInternode> twig{{.parent = 9,
                                           .slot = 1,
                                           .rotation = Rotation(Eigen::AngleAxisf(0.7F, Vec3::UnitX())),
-                                          .length = 0.3F}};
+                                          .length = 0.6F}};
     apply(*m_document, births(m_document->tree(), twig));
     const InternodeId id = m_document->tree().size() - 1;
     m_view->grabFramebuffer();
     const QPoint place = at(middle(id));
     QTest::mouseMove(m_view.get(), place);
+    // Another tool would take the twig.
+    const auto nearest = m_view->toolContext().pick(place, PointerDevice::Mouse);
+    QVERIFY(nearest);
+    QCOMPARE(nearest->id, id);
     QTest::mouseClick(m_view.get(), Qt::LeftButton, {}, place);
     QCOMPARE(m_document->tree().widthConstraint(id), 0.0F);
     QCOMPARE(m_document->tree().widthConstraints().size(), 2U);

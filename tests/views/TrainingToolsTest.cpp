@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 using namespace espalier;
 using namespace espalier::test;
@@ -28,6 +29,7 @@ private Q_SLOTS:
     void pruneEscape_leavesTheTreeAlone();
     void eraserEnd_prunes();
     void pruneStroke_mayLeaveTheFarSide();
+    void hover_showsWhatWouldBeTaken();
     void clearDrag_takesTheShootsBelowAndLetsNoneGrow();
     void clearTap_keepsClearUpToThere();
     void clearRing_draggedDownLetsBudsShoot();
@@ -213,10 +215,37 @@ void TrainingToolsTest::pruneStroke_mayLeaveTheFarSide()
     };
     const InternodeId last = 12; // Above it there is no trunk that the stroke would cross.
     across(last);
-    QVERIFY(m_document->tree().isAlive(twigAt(last)));
+    QVERIFY(m_document->tree().isAlive(twigAt(last) + 1));
+    QCOMPARE(m_document->undoStack().count(), 0);
     m_settings->set(&ViewValues::prunesThrough, true);
     across(last);
     QVERIFY(!m_document->tree().isAlive(twigAt(last) + 1));
+}
+
+void TrainingToolsTest::hover_showsWhatWouldBeTaken()
+{
+    plantTwigs();
+    const auto circlesAt = [&](const QPoint& place) {
+        QTest::mouseMove(m_view.get(), place);
+        return std::ranges::count_if(painted().lines(),
+                                     [](const Overlay::Line& line) { return line.count > 20; });
+    };
+    const QPoint beside(20, 200);
+    // Drawing determines the radius of the bark.
+    m_view->grabFramebuffer();
+    // The brush has a ring around the place where a stroke would begin.
+    m_view->setTool(std::make_unique<BrushTool>(m_view->toolContext()));
+    m_settings->set(&ViewValues::planeShown, false);
+    const auto away = circlesAt(beside);
+    QTRY_COMPARE(circlesAt(at(trunkAt(1.1F))), away + 1);
+    QTRY_COMPARE(circlesAt(beside), away);
+    // Pruning shows the branch that a tap would cut off.
+    takePruning(PruneMode::Cut);
+    const Vec3 twig = m_document->index().nodePosition(twigAt(1));
+    QTest::mouseMove(m_view.get(), at(twig));
+    const std::size_t shown = painted().lines().size();
+    QTest::mouseMove(m_view.get(), beside);
+    QVERIFY(painted().lines().size() < shown);
 }
 
 void TrainingToolsTest::clearDrag_takesTheShootsBelowAndLetsNoneGrow()
@@ -417,6 +446,15 @@ void TrainingToolsTest::brushSymmetry_repeatsAStrokeAroundTheTrunk()
     for (InternodeId id = 1; id < m_document->tree().size(); ++id)
         limbs += m_document->index().axis(id) == id ? 1 : 0;
     QCOMPARE(limbs, std::size_t{3});
+    // They do not lie upon each other: each third of the circle has one.
+    std::set<int> thirds;
+    for (InternodeId id = 1; id < m_document->tree().size(); ++id) {
+        const Vec3 node = m_document->index().nodePosition(id);
+        if (std::hypot(node.x(), node.z()) > 1.0F)
+            thirds.insert(static_cast<int>(
+                std::lround(3.0F * std::atan2(node.z(), node.x()) / (2.0F * std::numbers::pi_v<float>))));
+    }
+    QCOMPARE(thirds.size(), std::size_t{3});
     m_document->undoStack().undo();
     QVERIFY(shootsBelowHeight(9.0F) == 0);
 }
