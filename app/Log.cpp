@@ -76,6 +76,8 @@ void writeAll(int to, const char* text)
 /// Only functions that a signal handler may call; backtrace() may since it was called before.
 void handleCrash(int number)
 {
+    // If the loader is at work, the next call may wait for it for ever.
+    ::alarm(5);
     std::array<void*, 64> frames{};
     const int count = ::backtrace(frames.data(), static_cast<int>(frames.size()));
     const int file = descriptor;

@@ -5,8 +5,8 @@
 
 namespace espalier {
 
-/// The program's log: when it began and ended, which OpenGL it found, what Qt warned of, how long files took.
-/// It names no file and has nothing of what is in a document. Several running programs may write into it.
+/// The program's log: when it began and ended, which OpenGL it found, what Qt warned of. It has nothing of
+/// what is in a document. Several running programs may write into it.
 class Log {
 public:
     /// Where the platform expects it: $XDG_STATE_HOME/espalier, by default ~/.local/state/espalier.

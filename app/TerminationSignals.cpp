@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include <array>
+#include <cerrno>
 #include <csignal>
 
 namespace espalier {
@@ -19,9 +20,11 @@ std::array<int, 2> signalPipe{-1, -1};
 
 void handle(int number)
 {
+    const int before = errno;
     const char byte = 0;
     static_cast<void>(!::write(signalPipe[1], &byte, 1));
     std::signal(number, SIG_DFL);
+    errno = before;
 }
 
 } // namespace
@@ -37,8 +40,11 @@ TerminationSignals::TerminationSignals(QObject* parent) : QObject(parent)
         }
         Q_EMIT asked();
     });
-    for (const int number : kSignals)
-        std::signal(number, handle);
+    for (const int number : kSignals) {
+        // "nohup" lets the program live on.
+        if (std::signal(number, handle) == SIG_IGN)
+            std::signal(number, SIG_IGN);
+    }
 }
 
 TerminationSignals::~TerminationSignals()

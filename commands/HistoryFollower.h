@@ -19,6 +19,8 @@ public:
 
     /// What the document has now is known; the deltas' numbers begin anew.
     void start();
+    /// Number of deltas that are known.
+    std::size_t size() const { return m_history.size(); }
     /// Whether there is a change to collect.
     bool isBehind() const;
     /// The deltas' numbers begin anew, as in a project that holds what is known.

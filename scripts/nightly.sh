@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # The long forms of the tests that ./test runs in a short form: faults of disk and memory, kills, random operations,
 # fuzzers, and the tests with sanitizers. Takes some hours on two cores; the logs go to build/nightly.
-# Usage: scripts/nightly.sh [faults] [kills] [soak] [fuzz] [sanitised] [threads] [tidy]     (all when nothing is named)
+# Usage: scripts/nightly.sh [faults] [kills] [soak] [fuzz] [sanitised] [tidy]     (all when nothing is named)
 # FUZZ_SECONDS: for each target, 600 by default.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -28,7 +28,7 @@ fuzz() {
     local target="$1"
     local found="$logs/corpus/$target"
     mkdir -p "$found" "$logs/crashes"
-    # Three quarters of a second for a small input, with the sanitizer that makes it several times slower.
+    # A second for a small input, which the sanitizer makes several times slower.
     QT_QPA_PLATFORM=offscreen ASAN_OPTIONS=detect_leaks=0 "build/fuzz/bin/fuzz_$target" \
         -max_total_time="$fuzz_seconds" -timeout=5 -rss_limit_mb=2048 -malloc_limit_mb=512 -max_len=65536 \
         -artifact_prefix="$logs/crashes/$target-" -print_final_stats=1 -fork=0 -close_fd_mask=2 \
@@ -37,12 +37,12 @@ fuzz() {
 
 scripts/setup.sh build test nightly
 for part in "${@:-all}"; do
-    [[ "$part" == all ]] || [[ "$part" =~ ^(faults|kills|soak|fuzz|sanitised|threads|tidy)$ ]] || {
+    [[ "$part" == all ]] || [[ "$part" =~ ^(faults|kills|soak|fuzz|sanitised|tidy)$ ]] || {
         echo "nightly: there is no part '$part'" >&2
         exit 1
     }
 done
-readonly parts=" ${*:-faults kills soak fuzz sanitised threads tidy} "
+readonly parts=" ${*:-faults kills soak fuzz sanitised tidy} "
 wanted() { [[ "$parts" == *" $1 "* ]]; }
 
 scripts/build.sh release fault_test kill_test kill_victim soak
@@ -54,11 +54,6 @@ if wanted fuzz; then
     for target in "${targets[@]}"; do run "fuzz-$target" fuzz "$target"; done
 fi
 if wanted sanitised; then run sanitised ./test --sanitised; fi
-if wanted threads; then
-    scripts/build.sh threads
-    TSAN_OPTIONS="suppressions=$PWD/tests/fuzz/tsan.supp" run threads \
-        xvfb-run -a ctest --test-dir build/threads --output-on-failure -L '^sanitised$'
-fi
 if wanted tidy; then
     scripts/build.sh tidy
     run tidy run-clang-tidy -p build/tidy -quiet '/(app|commands|model|panels|views)/[^/]*\.cpp$'

@@ -1223,6 +1223,10 @@ geschrieben werden konnte.
         <source>no program reads from this pipe</source>
         <translation>kein Programm liest aus dieser Pipe</translation>
     </message>
+    <message>
+        <source>another program has changed it</source>
+        <translation>ein anderes Programm hat sie geändert</translation>
+    </message>
 </context>
 <context>
     <name>GrowTool</name>
@@ -3588,6 +3592,14 @@ geschrieben werden konnte.
         <source>a change of the tree is too large</source>
         <translation>eine Änderung des Baums ist zu groß</translation>
     </message>
+    <message>
+        <source>it is not up to date</source>
+        <translation>sie ist nicht auf dem neuesten Stand</translation>
+    </message>
+    <message>
+        <source>what was done last cannot be brought back</source>
+        <translation>was zuletzt getan wurde, kann nicht zurückgebracht werden</translation>
+    </message>
 </context>
 <context>
     <name>SelectBudTool</name>
@@ -4104,6 +4116,10 @@ geschrieben werden konnte.
     <message>
         <source>A tree that was never saved</source>
         <translation>Ein nie gespeicherter Baum</translation>
+    </message>
+    <message>
+        <source>The folder %1 cannot be written.</source>
+        <translation>In den Ordner %1 kann nicht geschrieben werden.</translation>
     </message>
 </context>
 <context>

@@ -1222,6 +1222,10 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <source>no program reads from this pipe</source>
         <translation>aucun programme ne lit ce tube</translation>
     </message>
+    <message>
+        <source>another program has changed it</source>
+        <translation>un autre programme l’a modifié</translation>
+    </message>
 </context>
 <context>
     <name>GrowTool</name>
@@ -3587,6 +3591,14 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <source>a change of the tree is too large</source>
         <translation>une modification de l’arbre est trop grande</translation>
     </message>
+    <message>
+        <source>it is not up to date</source>
+        <translation>elle n’est pas à jour</translation>
+    </message>
+    <message>
+        <source>what was done last cannot be brought back</source>
+        <translation>ce qui a été fait en dernier ne peut pas être récupéré</translation>
+    </message>
 </context>
 <context>
     <name>SelectBudTool</name>
@@ -4103,6 +4115,10 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
     <message>
         <source>A tree that was never saved</source>
         <translation>Un arbre jamais enregistré</translation>
+    </message>
+    <message>
+        <source>The folder %1 cannot be written.</source>
+        <translation>Impossible d’écrire dans le dossier %1.</translation>
     </message>
 </context>
 <context>

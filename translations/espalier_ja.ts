@@ -1215,6 +1215,10 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <source>no program reads from this pipe</source>
         <translation>このパイプを読むプログラムがありません</translation>
     </message>
+    <message>
+        <source>another program has changed it</source>
+        <translation>別のプログラムが変更しました</translation>
+    </message>
 </context>
 <context>
     <name>GrowTool</name>
@@ -3580,6 +3584,14 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <source>a change of the tree is too large</source>
         <translation>木の変更が大きすぎます</translation>
     </message>
+    <message>
+        <source>it is not up to date</source>
+        <translation>最新ではありません</translation>
+    </message>
+    <message>
+        <source>what was done last cannot be brought back</source>
+        <translation>最後に行ったことは復元できません</translation>
+    </message>
 </context>
 <context>
     <name>SelectBudTool</name>
@@ -4096,6 +4108,10 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
     <message>
         <source>A tree that was never saved</source>
         <translation>未保存の木</translation>
+    </message>
+    <message>
+        <source>The folder %1 cannot be written.</source>
+        <translation>フォルダー %1 に書き込めません。</translation>
     </message>
 </context>
 <context>

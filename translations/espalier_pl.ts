@@ -1224,6 +1224,10 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <source>no program reads from this pipe</source>
         <translation>żaden program nie czyta z tego potoku</translation>
     </message>
+    <message>
+        <source>another program has changed it</source>
+        <translation>inny program go zmienił</translation>
+    </message>
 </context>
 <context>
     <name>GrowTool</name>
@@ -3589,6 +3593,14 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <source>a change of the tree is too large</source>
         <translation>zmiana drzewa jest zbyt duża</translation>
     </message>
+    <message>
+        <source>it is not up to date</source>
+        <translation>nie jest aktualna</translation>
+    </message>
+    <message>
+        <source>what was done last cannot be brought back</source>
+        <translation>tego, co zrobiono na końcu, nie można przywrócić</translation>
+    </message>
 </context>
 <context>
     <name>SelectBudTool</name>
@@ -4105,6 +4117,10 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
     <message>
         <source>A tree that was never saved</source>
         <translation>drzewo, którego nigdy nie zapisano</translation>
+    </message>
+    <message>
+        <source>The folder %1 cannot be written.</source>
+        <translation>Nie można zapisywać w folderze %1.</translation>
     </message>
 </context>
 <context>

@@ -47,9 +47,10 @@ Autosave::Autosave(const TreeDocument& document, DocumentFile& file, QObject* pa
     m_timer.setSingleShot(true);
     connect(&m_timer, &QTimer::timeout, this, &Autosave::write);
     connect(&document.undoStack(), &QUndoStack::indexChanged, this, &Autosave::followDocument);
+    connect(&document.undoStack(), &QUndoStack::cleanChanged, this, &Autosave::followDocument);
     connect(&document, &TreeDocument::lookChanged, this, &Autosave::followDocument);
     connect(&document, &TreeDocument::changed, this, &Autosave::followTree);
-    connect(&file, &DocumentFile::saved, this, &Autosave::clear);
+    connect(&file, &DocumentFile::saved, this, &Autosave::followSaved);
     connect(&file, &DocumentFile::saveFailed, this, &Autosave::beDue);
     connect(&file, &DocumentFile::saveRefused, this, &Autosave::beDue);
 }
@@ -126,13 +127,18 @@ QString Autosave::keepAside(const Leftover& leftover)
         QStringLiteral("%1 %2").arg(QFileInfo(leftover.displayName()).completeBaseName(),
                                     leftover.written.toString(QStringLiteral("yyyy-MM-dd hh.mm.ss")));
     QString base = place.filePath(name);
-    for (int number = 2; QFileInfo::exists(SafetyCopy(base).projectFile()); ++number)
+    const auto isTaken = [](const SafetyCopy& copy) {
+        return QFileInfo::exists(copy.projectFile()) || QFileInfo::exists(copy.changesFile());
+    };
+    for (int number = 2; isTaken(SafetyCopy(base)); ++number)
         base = place.filePath(QStringLiteral("%1 (%2)").arg(name).arg(number));
     const SafetyCopy from = SafetyCopy::ofProject(leftover.fileName);
     const SafetyCopy to(base);
     if (!QFile::rename(from.projectFile(), to.projectFile()))
         return from.projectFile();
-    QFile::rename(from.changesFile(), to.changesFile());
+    // What cannot be moved stays.
+    if (QFileInfo::exists(from.changesFile()) && !QFile::rename(from.changesFile(), to.changesFile()))
+        return to.projectFile();
     from.remove();
     QFile::remove(from.lockFile());
     return to.projectFile();
@@ -161,6 +167,17 @@ void Autosave::followTree(const TreeChange& change)
         beDue();
 }
 
+/// What was done while the file was being saved is not in it; until it is in a copy, the copy before stays.
+void Autosave::followSaved()
+{
+    if (!hasUnsaved()) {
+        clear();
+        return;
+    }
+    beginAnew();
+    beDue();
+}
+
 void Autosave::beDue()
 {
     if (!m_sinceDue.isValid())
@@ -170,7 +187,7 @@ void Autosave::beDue()
 
 void Autosave::schedule()
 {
-    if (!m_sinceDue.isValid() || m_timer.isActive() || m_isWriting || !hasUnsaved())
+    if (m_isLeft || !m_sinceDue.isValid() || m_timer.isActive() || m_isWriting)
         return;
     const qint64 since = m_sinceWritten.isValid() ? m_sinceWritten.elapsed() : m_pause;
     m_timer.start(static_cast<int>(std::clamp<qint64>(m_pause - since, 0, m_pause)));
@@ -178,8 +195,14 @@ void Autosave::schedule()
 
 void Autosave::write()
 {
-    if (m_isWriting || !hasUnsaved())
+    if (m_isWriting || m_isLeft)
         return;
+    if (!hasUnsaved()) {
+        // A gesture that was cancelled, for example. A file that is being saved is not complete yet.
+        if (!m_file.isSaving())
+            clear();
+        return;
+    }
     // An undo that is under way ends soon, a gesture probably does.
     const Edit* edit = m_document.edit();
     if (edit != nullptr && (!edit->hasChanges() || m_sinceDue.elapsed() < kLongestHold)) {
@@ -228,6 +251,8 @@ void Autosave::run(Work work, Done done)
         [this, done = std::move(done), generation = m_generation, beginnings = m_beginnings,
          copy = m_copy](Outcome outcome) {
             m_isWriting = false;
+            if (m_isLeft)
+                return;
             m_sinceWritten.start();
             m_pause = 2 * outcome.took;
             if (generation != m_generation)
@@ -240,6 +265,15 @@ void Autosave::run(Work work, Done done)
 
 void Autosave::begin()
 {
+    if (!m_lock)
+        m_lock = FileLock::taken(m_copy.lockFile());
+    if (!m_lock) {
+        // Another program would take the copy for one that a crash left.
+        m_sinceWritten.start();
+        fail(tr("The folder %1 cannot be written.").arg(QDir::toNativeSeparators(folder())));
+        schedule();
+        return;
+    }
     Beginning from = std::exchange(m_beginning, {});
     const bool isOfNow = !from.project && !from.file && !from.copy;
     if (isOfNow) {
@@ -247,20 +281,25 @@ void Autosave::begin()
         m_follower.start();
     }
     run(
-        [from = std::move(from), copy = m_copy, origin = origin()]() -> Outcome {
+        [from = std::move(from), copy = m_copy, origin = origin(), deltas = m_follower.size()]() -> Outcome {
             if (Result<void> done = copy.writeOrigin(origin); !done)
                 return {done};
             const Result<SafetyCopy::Written> written =
                 from.project ? copy.writeProject(*from.project)
                 : from.file  ? copy.copyProject(from.file->fileName, from.file->content)
-                             : copy.takeOver(*from.copy);
+                             : copy.takeOver(*from.copy, deltas);
             return written ? Outcome{{}, *written} : Outcome{written.error()};
         },
         [this, isOfNow](const Outcome& outcome) {
-            if (outcome.result)
+            if (outcome.result) {
                 m_written = outcome.written;
-            else if (isOfNow)
+                // What was done meanwhile has waited long enough.
+                m_pause = 0;
+                if (!m_follower.isBehind())
+                    beUpToDate();
+            } else if (isOfNow) {
                 fail(outcome.result.error().message);
+            }
             // Else the next one begins with the document itself.
         });
 }
@@ -325,7 +364,7 @@ void Autosave::startFollowing()
     m_follower.start();
     if (m_document.tree().size() <= kSmall)
         m_beginning.project = m_file.snapshot();
-    else if (!m_file.isModified() && m_file.knownContent().exists())
+    else if (m_document.edit() == nullptr && !m_file.isModified() && m_file.knownContent().exists())
         m_beginning.file = origin();
 }
 
@@ -335,8 +374,12 @@ std::optional<Leftover> Autosave::handOut()
         return {};
     waitForWriting();
     m_timer.stop();
-    const Leftover leftover{m_copy.projectFile(), m_file.fileName(), m_file.knownContent(),
-                            QDateTime::currentDateTime(), m_lock};
+    const Leftover leftover{m_copy.projectFile(),
+                            m_file.fileName(),
+                            m_file.knownContent(),
+                            QDateTime::currentDateTime(),
+                            m_lock,
+                            true};
     m_isWriting = true;
     // The lock lives until the copy is written, too, so that it cannot be mistaken for one that a crash left.
     runInBackground(
@@ -364,25 +407,41 @@ void Autosave::adopt(const Leftover& leftover)
     waitForWriting();
     clear();
     m_adopted = leftover;
-    m_beginning = {.project = {}, .file = {}, .copy = SafetyCopy::ofProject(leftover.fileName)};
+    m_beginning = {};
+    // What was handed out may not have been written whole.
+    if (!leftover.isHandedOut)
+        m_beginning.copy = SafetyCopy::ofProject(leftover.fileName);
     beDue();
 }
 
 bool Autosave::leave()
 {
+    waitForWriting();
+    m_timer.stop();
     if (!hasUnsaved())
         return true;
-    backgroundThreads().waitForDone();
-    m_timer.stop();
-    const Result<void> origin = m_copy.writeOrigin(this->origin());
-    const Result<SafetyCopy::Written> written =
-        origin ? m_copy.writeProject(m_file.snapshot()) : Result<SafetyCopy::Written>(origin.error());
-    if (!written)
-        return false;
+    // Whatever happens, what there is stays.
+    m_isLeft = true;
+    if (!addAll()) {
+        const Result<void> origin = m_copy.writeOrigin(this->origin());
+        if (!origin || !m_copy.writeProject(m_file.snapshot()))
+            return false;
+    }
     if (m_adopted)
         discard(*std::exchange(m_adopted, std::nullopt));
-    m_isLeft = true;
     return true;
+}
+
+/// Adds all that waits to the copy, at once; returns false if that is not possible.
+bool Autosave::addAll()
+{
+    if (!m_written)
+        return false;
+    if (!m_follower.isBehind())
+        return true;
+    const std::optional<HistoryChange> change = m_follower.collect(std::chrono::hours(1));
+    const Result<QByteArray> packed = packChange(*change, m_written->images);
+    return packed && m_copy.addChange(*packed, *m_written);
 }
 
 void Autosave::removeCopies()
@@ -394,6 +453,8 @@ void Autosave::removeCopies()
 
 void Autosave::clear()
 {
+    if (m_isLeft)
+        return;
     ++m_generation;
     m_timer.stop();
     m_sinceDue.invalidate();

@@ -23,6 +23,7 @@ struct Leftover {
     FileContent content{}; ///< What the original held when the changes were begun; does not exist if unknown
     QDateTime written;
     std::shared_ptr<FileLock> lock;
+    bool isHandedOut = false; ///< Not by a crash, but by Autosave::handOut()
 
     /// The name of the original without its folder, for the user.
     QString displayName() const;
@@ -88,11 +89,13 @@ private:
     SafetyCopy::Origin origin() const { return {m_file.fileName(), m_file.knownContent()}; }
     void followDocument();
     void followTree(const TreeChange& change);
+    void followSaved();
     void beDue();
     void schedule();
     void write();
     void begin();
     void add(HistoryChange change);
+    bool addAll();
     /// Lets a worker thread do @p work(), which returns an Outcome; @p done(outcome) follows.
     template <class Work, class Done>
     void run(Work work, Done done);

@@ -379,6 +379,8 @@ bool FileController::bringBack()
 void FileController::leave()
 {
     cancelOpening();
+    // A file that was changed by another program would be asked about.
+    disconnect(&m_file, &DocumentFile::saveRefused, this, nullptr);
     m_file.waitForSaving();
     m_autosave.leave();
 }

@@ -17,6 +17,7 @@
 #include <array>
 #include <cstring>
 #include <limits>
+#include <span>
 
 namespace espalier {
 
@@ -66,6 +67,19 @@ std::vector<QByteArray> piecesOf(const QByteArray& bytes)
 QByteArray hashOf(const QByteArray& bytes)
 {
     return QCryptographicHash::hash(bytes, QCryptographicHash::Sha256);
+}
+
+Result<Project> replayed(const QByteArray& projectBytes, std::span<const QByteArray> changes)
+{
+    Result<Project> project = unpackProject(projectBytes);
+    if (!project)
+        return project;
+    HistoryReplay replay(std::move(*project));
+    for (const QByteArray& change : changes) {
+        if (const Result<void> done = replay.add(change); !done)
+            return done.error();
+    }
+    return replay.finish();
 }
 
 QByteArray bytesOf(const QString& fileName)
@@ -120,17 +134,19 @@ Result<SafetyCopy::Written> SafetyCopy::writeProject(const Project& project) con
 
 Result<SafetyCopy::Written> SafetyCopy::copyProject(const QString& fileName, const FileContent& content) const
 {
-    const QByteArray bytes = bytesOf(fileName);
+    const QByteArray bytes = QFileInfo(fileName).isFile() ? bytesOf(fileName) : QByteArray();
     if (FileContent::of(bytes) != content)
         return inputError(QFileInfo(fileName).fileName(), CopyText::tr("another program has changed it"));
     return writeBytes(bytes, {});
 }
 
-Result<SafetyCopy::Written> SafetyCopy::takeOver(const SafetyCopy& other) const
+Result<SafetyCopy::Written> SafetyCopy::takeOver(const SafetyCopy& other, std::size_t deltas) const
 {
     const Result<Project> project = other.read();
     if (!project)
         return project.error();
+    if (project->journal.size() != deltas)
+        return inputError(QFileInfo(other.projectFile()).fileName(), CopyText::tr("it is not up to date"));
     return writeProject(*project);
 }
 
@@ -144,7 +160,7 @@ Result<void> SafetyCopy::addChange(const QByteArray& packed, Written& written) c
     bytes += framed(packed);
     if (written.changeBytes == 0)
         QFile::remove(changesFile());
-    const Result<void> done = appendToFile(changesFile(), bytes);
+    const Result<void> done = appendToFile(changesFile(), bytes, written.changeBytes);
     if (done)
         written.changeBytes += bytes.size();
     return done;
@@ -172,13 +188,18 @@ Result<Project> SafetyCopy::read() const
     const std::vector<QByteArray> changes = readChanges(hashOf(bytes));
     if (changes.empty())
         return project;
-    HistoryReplay replay(std::move(*project));
-    for (const QByteArray& change : changes) {
-        if (const Result<void> done = replay.add(change); !done)
-            return inputError(name, done.error().message);
+    // If what comes last cannot be used, what is before it can, probably.
+    Result<Project> whole = Error{Error::Kind::Input, QString()};
+    for (std::size_t count = changes.size(); count > 0; count /= 2) {
+        whole = replayed(bytes, std::span(changes).first(count));
+        if (whole && count < changes.size())
+            whole->warning =
+                inputError(name, CopyText::tr("what was done last cannot be brought back")).message;
+        if (whole)
+            return whole;
     }
-    Result<Project> whole = replay.finish();
-    return whole ? std::move(whole) : inputError(name, whole.error().message);
+    project->warning = inputError(name, CopyText::tr("what was done last cannot be brought back")).message;
+    return project;
 }
 
 bool SafetyCopy::hasChanges() const

@@ -53,8 +53,8 @@ public:
     Result<Written> writeProject(const Project& project) const;
     /// The same with the bytes of a file, if the file still has @p content. Its project is not read.
     Result<Written> copyProject(const QString& fileName, const FileContent& content) const;
-    /// The same with what another copy, or this one, holds.
-    Result<Written> takeOver(const SafetyCopy& other) const;
+    /// The same with what another copy, or this one, holds; an error if its history has not so many deltas.
+    Result<Written> takeOver(const SafetyCopy& other, std::size_t deltas) const;
     /// Adds a packed change (packChange()).
     Result<void> addChange(const QByteArray& packed, Written& written) const;
 

@@ -5,6 +5,7 @@
 #include "commands/GrowthCeiling.h"
 #include "commands/GrowthReplica.h"
 #include "model/base/Parallel.h"
+#include "model/io/project/ProjectLimits.h"
 
 #include <algorithm>
 
@@ -16,6 +17,10 @@ GrowthRunner::GrowthRunner(TreeDocument& document, QObject* parent) : QObject(pa
     m_due.setSingleShot(true);
     connect(&m_due, &QTimer::timeout, this, &GrowthRunner::show);
     connect(&document, &TreeDocument::parametersHeld, this, &GrowthRunner::holdParameters);
+    connect(&document, &TreeDocument::changed, this, [this](const TreeChange& change) {
+        if (change.kind == TreeChange::Kind::Reset)
+            m_leastCeiling = 0;
+    });
 }
 
 GrowthRunner::~GrowthRunner()
@@ -80,6 +85,12 @@ void GrowthRunner::show()
     } else {
         ask();
     }
+}
+
+void GrowthRunner::raiseCeiling()
+{
+    const std::uint32_t internodes = m_document.tree().size();
+    m_leastCeiling = std::min(internodes + internodes / 2, projectLimits::kInternodes);
 }
 
 void GrowthRunner::holdParameters(bool held)

@@ -38,7 +38,7 @@ public:
     /// Ends growth at once and keeps its steps.
     void end();
     /// After ceilingReached(): the next growth goes on beyond it, by half of what the tree has now.
-    void raiseCeiling() { m_leastCeiling = m_document.tree().size() + m_document.tree().size() / 2; }
+    void raiseCeiling();
     /// Sets the ceiling that the next growth has at most.
     void limitCeiling(std::uint32_t internodes) { m_mostCeiling = internodes; }
     /// Ends growth at once and takes back its steps; after a change of parameters, only the steps since.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QList>
+
 #include <algorithm>
 #include <cstddef>
 #include <vector>
@@ -25,6 +27,22 @@ void makeRoom(Column& column, std::size_t size, std::size_t leastHeadroom = 64)
     using Size = decltype(column.capacity());
     if (column.capacity() < static_cast<Size>(size))
         column.reserve(static_cast<Size>(withHeadroom(size, leastHeadroom)));
+}
+
+/// Cuts @p list to @p size elements, of which it is the only owner then; throws std::bad_alloc if there is no
+/// memory for a copy. To be called before a list is written that snapshots may share: the copy that a QList
+/// makes by itself is written to address 0 if there is no memory (Qt 6.4).
+template <class T>
+void ownFirst(QList<T>& list, qsizetype size)
+{
+    if (list.isDetached()) {
+        list.resize(size);
+        return;
+    }
+    QList<T> copy;
+    copy.resize(size); // throws
+    std::copy_n(list.cbegin(), size, copy.begin());
+    list = std::move(copy);
 }
 
 /// Sets the number of elements of @p column; new ones are copies of @p value, if one is given.

@@ -44,15 +44,18 @@ std::uint64_t availableMemory()
     std::uint64_t available = numberIn("/proc/meminfo", "MemAvailable:");
     if (available != kUnknown)
         available *= kKilobyte;
-    available = std::min(available, difference(numberIn("/sys/fs/cgroup/memory.max", {}),
-                                               numberIn("/sys/fs/cgroup/memory.current", {})));
+    // A container's use counts files that it has read, which give way.
+    const std::uint64_t files = numberIn("/sys/fs/cgroup/memory.stat", "inactive_file");
+    const std::uint64_t used =
+        difference(numberIn("/sys/fs/cgroup/memory.current", {}), files == kUnknown ? 0 : files);
+    available = std::min(available, difference(numberIn("/sys/fs/cgroup/memory.max", {}), used));
 #ifdef __unix__
     rlimit limit = {};
     if (getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY) {
-        std::uint64_t used = numberIn("/proc/self/status", "VmSize:");
-        if (used != kUnknown)
-            used *= kKilobyte;
-        available = std::min(available, difference(limit.rlim_cur, used));
+        std::uint64_t mapped = numberIn("/proc/self/status", "VmSize:");
+        if (mapped != kUnknown)
+            mapped *= kKilobyte;
+        available = std::min(available, difference(limit.rlim_cur, mapped));
     }
 #endif
     return available;

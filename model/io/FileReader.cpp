@@ -7,6 +7,8 @@
 #include <QFile>
 #include <QFileInfo>
 
+#include <algorithm>
+
 namespace espalier {
 
 namespace {
@@ -45,8 +47,16 @@ Result<QByteArray> readFile(const QString& fileName, qint64 most, FileKind kind)
         return inputError(name, file.errorString());
     if (file.size() > most)
         return inputError(name, largerThan(most));
-    // A file can grow while it is read, and a pipe has no size.
-    const QByteArray bytes = file.read(most + 1);
+    // A file can grow while it is read, and a pipe has no size. A read of more than there is would allocate
+    // it.
+    constexpr qint64 kBlock = 1 << 20;
+    QByteArray bytes = file.read(file.size() + 1);
+    while (bytes.size() <= most && file.error() == QFileDevice::NoError) {
+        const QByteArray more = file.read(std::min(kBlock, most + 1 - bytes.size()));
+        if (more.isEmpty())
+            break;
+        bytes += more;
+    }
     if (file.error() != QFileDevice::NoError)
         return inputError(name, ReaderText::tr("it cannot be read: %1").arg(file.errorString()));
     if (bytes.size() > most)

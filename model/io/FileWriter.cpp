@@ -71,6 +71,8 @@ QByteArray freeName(const QByteArray& target)
 /// Path of the file that @p fileName names, or that it links to.
 QByteArray realPath(const QString& fileName)
 {
+    if (const QString path = QFileInfo(fileName).canonicalFilePath(); !path.isEmpty())
+        return QFile::encodeName(path);
     QFileInfo file(fileName);
     constexpr int kMostLinks = 40;
     for (int i = 0; i < kMostLinks && file.isSymLink(); ++i)
@@ -169,7 +171,9 @@ void FileWriter::openTemporary()
     constexpr mode_t kUsual = 0666; // less the user's mask
     const QByteArray folder = m_target.first(std::max<qsizetype>(m_target.lastIndexOf('/'), 1));
 #ifdef O_TMPFILE
-    m_descriptor = ::open(folder.constData(), O_TMPFILE | O_WRONLY | O_CLOEXEC, kUsual); // NOLINT
+    // Such a file gets its name through /proc.
+    if (::access("/proc/self/fd", X_OK) == 0)
+        m_descriptor = ::open(folder.constData(), O_TMPFILE | O_WRONLY | O_CLOEXEC, kUsual); // NOLINT
     if (m_descriptor >= 0)
         return;
 #endif
@@ -292,8 +296,11 @@ void FileWriter::restoreOld()
         return;
     if (m_old.isEmpty() && m_isNew)
         ::unlink(m_target.constData());
-    else if (!m_old.isEmpty() && ::rename(m_old.constData(), m_target.constData()) == 0)
+    else if (!m_old.isEmpty()) {
+        // If that fails, the old content stays under the other name.
+        static_cast<void>(::rename(m_old.constData(), m_target.constData()));
         m_old.clear();
+    }
 }
 
 Result<void> FileWriter::commitAll(const std::vector<FileWriter*>& files)
@@ -323,18 +330,25 @@ Result<void> writeFile(const QString& fileName, const QByteArray& bytes)
     return writer.commit();
 }
 
-Result<void> appendToFile(const QString& fileName, const QByteArray& bytes)
+Result<void> appendToFile(const QString& fileName, const QByteArray& bytes, qint64 size)
 {
     const auto failed = [&fileName](int number) {
         return Error{Error::Kind::Output,
                      inputError(QFileInfo(fileName).fileName(), systemReason(number)).message};
     };
-    const int descriptor = ::open(QFile::encodeName(fileName).constData(), // NOLINT
-                                  O_WRONLY | O_APPEND | O_CREAT | O_CLOEXEC, S_IRUSR | S_IWUSR);
+    const int descriptor =
+        ::open(QFile::encodeName(fileName).constData(), // NOLINT
+               O_WRONLY | O_APPEND | O_CLOEXEC | (size == 0 ? O_CREAT : 0), S_IRUSR | S_IWUSR);
     if (descriptor < 0)
         return failed(errno);
     const off_t before = ::lseek(descriptor, 0, SEEK_END);
     int fault = before < 0 ? errno : 0;
+    if (fault == 0 && before != size) {
+        ::close(descriptor);
+        return Error{Error::Kind::Output, inputError(QFileInfo(fileName).fileName(),
+                                                     WriterText::tr("another program has changed it"))
+                                              .message};
+    }
     const char* data = bytes.constData();
     for (qsizetype left = bytes.size(); fault == 0 && left > 0;) {
         const ssize_t written = ::write(descriptor, data, static_cast<std::size_t>(left));

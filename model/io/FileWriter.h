@@ -78,10 +78,10 @@ Result<void> writeFile(const QString& fileName, const QByteArray& bytes);
 /// Copies the content of a file; the target is replaced whole or stays as it was.
 Result<void> copyFile(const QString& from, const QString& to);
 
-/// Adds @p bytes at the end of a file, which is made if it is not there, and brings them to the disk. If that
-/// fails, the file is cut back to what it was, as far as the disk allows: a reader must be able to tell a
-/// piece that is not whole.
-Result<void> appendToFile(const QString& fileName, const QByteArray& bytes);
+/// Adds @p bytes at the end of a file of @p size bytes, which is made if the size is 0, and brings them to
+/// the disk. If the file has another size, or if it fails, the file stays as it was, as far as the disk
+/// allows: a reader must be able to tell a piece that is not whole.
+Result<void> appendToFile(const QString& fileName, const QByteArray& bytes, qint64 size);
 
 /// Why a system call failed with @p number (errno), in words for the user: "the disk is full".
 QString systemReason(int number);

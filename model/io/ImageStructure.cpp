@@ -19,8 +19,8 @@ struct StructureText {
 
 /// Packed texts and colour profiles of a PNG file; each may unpack to megabytes.
 constexpr int kMostPackedTexts = 16;
-/// Pixels that the passes of a JPEG file go over, in all: ten passes over 8192 × 8192.
-constexpr qint64 kMostPassPixels = qint64{10} * 8192 * 8192;
+/// Pixels that the passes of a JPEG file go over, in all: twenty passes over 8192 × 8192.
+constexpr qint64 kMostPassPixels = qint64{20} * 8192 * 8192;
 constexpr int kMostPasses = 200;
 
 QString notWhole()
@@ -46,7 +46,12 @@ QString pngFault(const QByteArray& file)
             return notWhole();
         if (type == "IEND")
             return {};
-        if (type == "zTXt" || type == "iTXt" || type == "iCCP")
+        // An iTXt chunk says after its keyword whether it is packed.
+        const QByteArrayView content = QByteArrayView(file).sliced(at + 8, length);
+        const qsizetype keyword = content.indexOf('\0');
+        const bool isPackedText =
+            type == "iTXt" && keyword >= 0 && keyword + 1 < length && content[keyword + 1] != 0;
+        if (type == "zTXt" || type == "iCCP" || isPackedText)
             ++packedTexts;
         if (packedTexts > kMostPackedTexts)
             return tooLong();

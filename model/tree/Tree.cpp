@@ -20,8 +20,12 @@ void writeCells(Columns& columns, const Changes& changes, Write&& write)
 {
     Table::visit(
         [&](const auto&, auto& column, const auto& columnChanges) {
+            if (columnChanges.empty())
+                return;
+            ownFirst(column, column.size());
+            auto* const cells = column.data();
             for (const auto& change : columnChanges)
-                write(column[change.row], change);
+                write(cells[change.row], change);
         },
         columns, changes);
 }
@@ -114,8 +118,7 @@ void Tree::apply(const TreeDelta& delta)
         KeptTable::visit([](const auto&, auto& column, const auto& values) { column.append(values); }, c.kept,
                          delta.rows->kept);
     }
-    for (const InternodeId id : delta.died)
-        c.internodes.death[id] = delta.stepAfter;
+    setDeaths(delta, delta.stepAfter);
     writeCells<InternodeTable>(c.internodes, delta.internodes, kWriteAfter);
     writeCells<LeafTable>(c.leaves, delta.leaves, kWriteAfter);
     SparseTable::visit(
@@ -171,10 +174,19 @@ void Tree::revertChanges(const TreeDelta& delta)
         c.sparse, delta.sparse);
     writeCells<LeafTable>(c.leaves, delta.leaves, kWriteBefore);
     writeCells<InternodeTable>(c.internodes, delta.internodes, kWriteBefore);
-    for (const InternodeId id : delta.died)
-        c.internodes.death[id] = kNever;
+    setDeaths(delta, kNever);
     c.currentParameters = delta.parametersBefore;
     c.step = delta.stepBefore;
+}
+
+void Tree::setDeaths(const TreeDelta& delta, Step death)
+{
+    QList<Step>& column = m_content.internodes.death;
+    if (delta.died.empty())
+        return;
+    ownFirst(column, column.size());
+    for (const InternodeId id : delta.died)
+        column[id] = death;
 }
 
 /// Removes the rows and values that @p delta added.
@@ -183,7 +195,7 @@ void Tree::truncate(const TreeDelta& delta)
     if (!delta.bringsRows())
         return;
     const auto cut = [](std::uint32_t size) {
-        return [size](const auto&, auto& column) { column.resize(size); };
+        return [size](const auto&, auto& column) { ownFirst(column, size); };
     };
     if (delta.born.count > 0)
         InternodeTable::visit(cut(delta.born.first), m_content.internodes);

@@ -119,6 +119,7 @@ public:
 
 private:
     void revertChanges(const TreeDelta& delta);
+    void setDeaths(const TreeDelta& delta, Step death);
     void truncate(const TreeDelta& delta);
     void setLasso(std::uint32_t index, bool inForce);
 

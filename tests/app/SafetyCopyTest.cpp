@@ -31,6 +31,10 @@ private Q_SLOTS:
     void changesOfAnotherProject_areIgnored();
     void openedFile_isTheBeginning();
     void fileChangedByAnother_isNotTheBeginning();
+    void gestureAcrossASave_isKept();
+    void cancelledLongGesture_leavesNoCopy();
+    void leaving_keepsTheCopyAlsoOnAFullDisk();
+    void copyThatWasTamperedWith_beginsAnew();
     void images_areWrittenOnce();
     void longGesture_isNotLost();
     void manyChanges_becomeANewProject();
@@ -194,6 +198,80 @@ void SafetyCopyTest::fileChangedByAnother_isNotTheBeginning()
     test::FilesWindow window;
     open(window, name);
     QVERIFY(saveProject(test::sampleProject(50, 4), name));
+    waitForCopy(window, [&] { window.grow(1); });
+    compare(window);
+}
+
+void SafetyCopyTest::gestureAcrossASave_isKept()
+{
+    const QString name = path("large.espalier");
+    QVERIFY(saveProject(test::sampleProject(8'000), name));
+    test::FilesWindow window;
+    open(window, name);
+    window.grow(1);
+    QSignalSpy saved(&window.files->file(), &DocumentFile::saved);
+    window.files->file().save(name, {});
+    // The gesture begins before the file is there, and ends after it.
+    GrowGesture gesture(window.document);
+    gesture.step();
+    QVERIFY(saved.wait(30'000));
+    QTest::qWait(100);
+    waitForCopy(window, [&] { gesture.finish(); });
+    compare(window);
+    waitForCopy(window, [&] { window.grow(1); });
+    waitForCopy(window, [&] { window.document.undoStack().undo(); });
+    waitForCopy(window, [&] { window.document.undoStack().redo(); });
+    compare(window);
+}
+
+void SafetyCopyTest::cancelledLongGesture_leavesNoCopy()
+{
+    test::FilesWindow window;
+    GrowGesture gesture(window.document);
+    waitForCopy(window, [&] { gesture.step(); });
+    QCOMPARE(copies().size(), 1);
+    gesture.cancel();
+    QTRY_VERIFY_WITH_TIMEOUT(copies().isEmpty(), 10'000);
+}
+
+void SafetyCopyTest::leaving_keepsTheCopyAlsoOnAFullDisk()
+{
+    Tree before;
+    Tree after;
+    {
+        test::FilesWindow window;
+        waitForCopy(window, [&] { window.grow(3); });
+        before = window.document.tree();
+        window.grow(1);
+        const test::FaultyDisk disk(Autosave::folder(), 0, ENOSPC);
+        window.files->leave();
+    }
+    QCOMPARE(copies().size(), 1);
+    const Result<Project> kept = onlyCopy().read();
+    QVERIFY(kept);
+    QVERIFY(kept->tree == before);
+    {
+        test::FilesWindow window;
+        Autosave::discard(Autosave::leftovers().front());
+        waitForCopy(window, [&] { window.grow(3); });
+        window.grow(1);
+        after = window.document.tree();
+        window.files->leave();
+    }
+    QCOMPARE(copies().size(), 1);
+    const Result<Project> whole = onlyCopy().read();
+    QVERIFY(whole);
+    QVERIFY(whole->tree == after);
+    QVERIFY(QFileInfo(onlyCopy().changesFile()).size() > 0);
+}
+
+void SafetyCopyTest::copyThatWasTamperedWith_beginsAnew()
+{
+    test::FilesWindow window;
+    waitForCopy(window, [&] { window.grow(3); });
+    QVERIFY(QFile::remove(onlyCopy().changesFile()));
+    waitForCopy(window, [&] { window.grow(1); });
+    compare(window);
     waitForCopy(window, [&] { window.grow(1); });
     compare(window);
 }

@@ -8,8 +8,8 @@
 
 namespace espalier::test {
 
-/// A short text that differs for documents that differ: of the tree's tables, the lengths of its history and
-/// of its future, and the look.
+/// A short text that nearly always differs for documents that differ: of the tree's tables, and of the
+/// numbers of kept values, widths and deltas.
 inline QString digestOf(const Project& project)
 {
     QCryptographicHash hash(QCryptographicHash::Md5);

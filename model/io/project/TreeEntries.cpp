@@ -56,7 +56,8 @@ InternodeKey expectedKey(const TreeContent& content, InternodeId id, const Known
 QList<InternodeKey> keyDifferences(const TreeContent& content)
 {
     const QList<InternodeKey>& keys = content.internodes.key;
-    QList<InternodeKey> differences(keys.size());
+    QList<InternodeKey> differences;
+    differences.resize(keys.size()); // unlike the constructor, throws if there is no memory
     for (InternodeId id = 0; id < content.internodes.size(); ++id)
         differences[id] = keys[id] ^ expectedKey(content, id, [&](InternodeId row) { return keys[row]; });
     return differences;

@@ -308,19 +308,21 @@ void FileWriterTest::appending_isWholeOrNothing()
 {
     const QTemporaryDir folder;
     const QString name = folder.filePath(QStringLiteral("a"));
-    QVERIFY(appendToFile(name, "one "));
+    QVERIFY(appendToFile(name, "one ", 0));
     {
         const FaultyDisk disk(folder.path(), 0, ENOSPC);
-        const Result<void> full = appendToFile(name, "two ");
+        const Result<void> full = appendToFile(name, "two ", 4);
         QVERIFY(!full);
         QCOMPARE(full.error().message, QStringLiteral("a: the disk is full"));
     }
     {
         // It is written, but cannot be brought to the disk.
         const FaultyDisk disk(folder.path(), 1, EIO);
-        QVERIFY(!appendToFile(name, "three "));
+        QVERIFY(!appendToFile(name, "three ", 4));
     }
-    QVERIFY(appendToFile(name, "four"));
+    // Another program has written into it.
+    QVERIFY(!appendToFile(name, "four", 9));
+    QVERIFY(appendToFile(name, "four", 4));
     QCOMPARE(bytesOf(name), QByteArray("one four"));
 }
 
