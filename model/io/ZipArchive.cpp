@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/io/ZipArchive.h"
 
+#include "model/base/WithinMemory.h"
 #include "model/io/JsonReader.h"
 
 #include <QCoreApplication>
@@ -40,10 +41,12 @@ struct CloseFile {
     void operator()(zip_file_t* file) const { zip_fclose(file); }
 };
 
-Error outputError(const char* reason)
+Error outputError(zip_error_t* error)
 {
-    return {Error::Kind::Output,
-            ZipText::tr("the archive could not be compressed: %1").arg(QString::fromUtf8(reason))};
+    if (zip_error_code_zip(error) == ZIP_ER_MEMORY)
+        return memoryError();
+    return {Error::Kind::Output, ZipText::tr("the archive could not be compressed: %1")
+                                     .arg(QString::fromUtf8(zip_error_strerror(error)))};
 }
 
 Error damaged(const char* name)
@@ -56,12 +59,12 @@ Result<QByteArray> contentOf(zip_source_t* source)
     zip_stat_t stat;
     if (zip_source_stat(source, &stat) != 0 || (stat.valid & ZIP_STAT_SIZE) == 0 ||
         zip_source_open(source) != 0)
-        return outputError(zip_error_strerror(zip_source_error(source)));
+        return outputError(zip_source_error(source));
     QByteArray content(static_cast<qsizetype>(stat.size), Qt::Uninitialized);
     const zip_int64_t read = zip_source_read(source, content.data(), stat.size);
     zip_source_close(source);
     if (read != content.size())
-        return outputError(zip_error_strerror(zip_source_error(source)));
+        return outputError(zip_source_error(source));
     return content;
 }
 
@@ -78,11 +81,11 @@ Result<QByteArray> ZipWriter::finish()
     zip_error_init(&error);
     zip_source_t* const target = zip_source_buffer_create(nullptr, 0, 0, &error);
     if (target == nullptr)
-        return outputError(zip_error_strerror(&error));
+        return outputError(&error);
     const std::unique_ptr<zip_source_t, FreeSource> keptTarget(target);
     std::unique_ptr<zip_t, DiscardArchive> archive(zip_open_from_source(target, ZIP_TRUNCATE, &error));
     if (!archive)
-        return outputError(zip_error_strerror(&error));
+        return outputError(&error);
     zip_source_keep(target); // the archive owns one reference, keptTarget the other
 
     for (const Entry& entry : m_entries) {
@@ -93,16 +96,16 @@ Result<QByteArray> ZipWriter::finish()
                               : zip_file_add(archive.get(), entry.name.constData(), source, ZIP_FL_ENC_UTF_8);
         if (index < 0) {
             zip_source_free(source);
-            return outputError(zip_strerror(archive.get()));
+            return outputError(zip_get_error(archive.get()));
         }
         const auto place = static_cast<zip_uint64_t>(index);
         const zip_int32_t method = entry.packing == Packing::Store ? ZIP_CM_STORE : ZIP_CM_DEFLATE;
         if (zip_set_file_compression(archive.get(), place, method, kFastLevel) != 0 ||
             zip_file_set_dostime(archive.get(), place, kFixedTime, kFixedDate, 0) != 0)
-            return outputError(zip_strerror(archive.get()));
+            return outputError(zip_get_error(archive.get()));
     }
     if (zip_close(archive.get()) != 0)
-        return outputError(zip_strerror(archive.get()));
+        return outputError(zip_get_error(archive.get()));
     static_cast<void>(archive.release()); // closing the archive has freed it
     return contentOf(target);
 }
@@ -120,6 +123,8 @@ Result<ZipReader> ZipReader::openSource(zip_source_t* source)
         source == nullptr ? nullptr : zip_open_from_source(source, ZIP_RDONLY | ZIP_CHECKCONS, &error);
     if (archive == nullptr) {
         zip_source_free(source);
+        if (zip_error_code_zip(&error) == ZIP_ER_MEMORY)
+            return memoryError();
         return inputError({}, ZipText::tr("it is not a project file, or a damaged one (%1)")
                                   .arg(QString::fromUtf8(zip_error_strerror(&error))));
     }

@@ -45,6 +45,7 @@ public:
         connect(&m_files.file(), &DocumentFile::saved, this,
                 [](const QString& name) { tell(QStringLiteral("saved ") + name); });
         connect(&m_signals, &TerminationSignals::asked, this, [this] {
+            m_isEnding = true;
             m_document.interruptEdit();
             m_files.leave();
             QCoreApplication::exit();
@@ -55,6 +56,9 @@ public:
 private:
     void act()
     {
+        // Saving waits in an event loop.
+        if (m_isEnding)
+            return;
         if (m_random.onceIn(12))
             save();
         else if (m_random.onceIn(12))
@@ -104,6 +108,7 @@ private:
     FileController m_files;
     TerminationSignals m_signals;
     int m_done = 0;
+    bool m_isEnding = false;
 };
 
 } // namespace
