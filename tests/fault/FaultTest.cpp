@@ -111,13 +111,15 @@ private:
     int m_tries = 0;
 };
 
-/// Whether each file is either the old or the new one.
+/// Whether each file is either the old or the new one; what cannot be put back may stay under another name.
 bool isEachOldOrNew(const Files& found, const Files& before, const Files& after)
 {
     for (auto file = found.begin(); file != found.end(); ++file) {
         const bool isOld = before.contains(file.key()) && before[file.key()] == file.value();
         const bool isNew = after.contains(file.key()) && after[file.key()] == file.value();
-        if (!isOld && !isNew)
+        const bool isKept =
+            file.key().startsWith(QLatin1String(".espalier-")) && before.values().contains(file.value());
+        if (!isOld && !isNew && !isKept)
             return false;
     }
     return true;
