@@ -74,12 +74,12 @@ void GrowingTest::holdingGrow_isOneUndoStep()
 void GrowingTest::growthAtTheCeiling_asksBeforeItGoesOn()
 {
     GrowRunner& runner = m_window->growRunner();
-    runner.limitCeiling(40);
+    runner.limitCeiling(2'000);
     runner.run(1000);
     QTRY_VERIFY_WITH_TIMEOUT(!runner.isRunning(), 30'000);
     const auto& notice = m_window->workspace().notice();
     const std::uint32_t grown = m_window->document().tree().size();
-    QVERIFY(grown >= 40 && grown < 400);
+    QVERIFY(grown >= 2'000 && grown < 10'000);
     QVERIFY2(notice.text().contains(QStringLiteral("Growth has stopped")), qPrintable(notice.text()));
     QCOMPARE(m_window->document().undoStack().count(), 1);
     QTest::mouseClick(notice.findChild<QPushButton*>(), Qt::LeftButton);

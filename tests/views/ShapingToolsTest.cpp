@@ -686,10 +686,10 @@ void ShapingToolsTest::labels_saySoInCentimetres()
     };
     QVERIFY(labels().isEmpty());
     QTest::mouseMove(m_view.get(), at(middle(3)));
-    QCOMPARE(labels(), QStringList{lengthText(diameter(3))});
+    QTRY_COMPARE(labels(), QStringList{lengthText(diameter(3))});
     setWidth(*m_document, 3, 0.123);
     QTest::mouseMove(m_view.get(), QPoint(20, 20));
-    QCOMPARE(labels(), QStringList{QStringLiteral("12 cm")});
+    QTRY_COMPARE(labels(), QStringList{QStringLiteral("12 cm")});
     setWidth(*m_document, 3, 0.0412);
     QCOMPARE(labels(), QStringList{QStringLiteral("4.1 cm")});
     setWidth(*m_document, 3, 0.0034);

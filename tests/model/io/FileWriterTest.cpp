@@ -372,7 +372,10 @@ void FileWriterTest::faultyDisk_leavesTheOldFilesOrTheNewOnes()
         QVERIFY2(!result, qPrintable(QStringLiteral("call %1 failed unnoticed").arg(goodCalls)));
         QVERIFY2(result.error().message.endsWith(QStringLiteral(": the disk is full")),
                  qPrintable(result.error().message));
-        QCOMPARE(left.keys(), whole.keys());
+        QStringList names = left.keys();
+        // What a dead disk does not let put back stays under another name.
+        names.removeIf([](const QString& name) { return name.startsWith(QLatin1String(".espalier-")); });
+        QCOMPARE(names, whole.keys());
         if (goodCalls < callsBeforeNaming)
             QCOMPARE(left, old);
         for (const QString& name : whole.keys())
