@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/MainWindow.h"
 
+#include "app/HistoryLimit.h"
 #include "app/Language.h"
 #include "app/Log.h"
 #include "commands/recipe/JournalRecipe.h"
@@ -67,6 +68,7 @@ MainWindow::MainWindow(QWidget* parent)
     connectView();
     connectLibrary();
     followDocument();
+    limitHistory();
     apply(preferences);
     m_files->startNew();
     m_actions[ActionId::Brush]->trigger();
@@ -285,6 +287,7 @@ void MainWindow::apply(const Preferences& preferences)
     if (preferences.language != before.language || preferences.units != before.units)
         QMetaObject::invokeMethod(this, &MainWindow::remakeInterface, Qt::QueuedConnection);
     suitHand();
+    m_historyLimit->setMost(std::size_t{1'000'000} * static_cast<std::size_t>(preferences.undoMemory));
     if (preferences.libraryFolder != before.libraryFolder)
         m_library->setFolder(m_settings.libraryFolder());
 }
@@ -320,6 +323,23 @@ void MainWindow::followDocument()
     connect(&m_document, &TreeDocument::changed, this, [this](const TreeChange& change) {
         if (change.kind == TreeChange::Kind::Reset)
             updateTip();
+    });
+}
+
+void MainWindow::limitHistory()
+{
+    m_historyLimit = std::make_unique<HistoryLimit>(m_document, [this] {
+        return isBusy() || m_files->file().isSaving() || m_profiles->chosen() ||
+               m_workspace->viewport().isBetweenGestures();
+    });
+    connect(m_historyLimit.get(), &HistoryLimit::scenePrepared, this,
+            [this](const std::shared_ptr<PreparedScene>& scene) {
+                m_workspace->viewport().expect(std::move(*scene));
+            });
+    connect(m_historyLimit.get(), &HistoryLimit::shortened, this, [this] {
+        m_workspace->notice().showInformation(
+            tr("The oldest steps of the history were dropped, so that it takes no more than %1 MB.")
+                .arg(m_preferences.undoMemory));
     });
 }
 

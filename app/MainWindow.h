@@ -30,6 +30,7 @@
 
 namespace espalier {
 
+class HistoryLimit;
 class RingMenu;
 class SettingsSheet;
 
@@ -55,6 +56,7 @@ public:
     SceneController& scene() { return *m_scene; }
     PictureController& pictures() { return *m_pictures; }
     AnotherController& another() { return *m_another; }
+    HistoryLimit& historyLimit() { return *m_historyLimit; }
 
     /// Whether a gesture or growth is changing the document now.
     bool isHandBusy() const;
@@ -99,6 +101,7 @@ private:
     void apply(const Preferences& preferences);
     /// Those that the workspace keeps.
     void suitHand();
+    void limitHistory();
     void followDocument();
     /// Whether an edit is under way that would be lost if it were cancelled.
     bool hasUnfinishedWork() const;
@@ -156,6 +159,7 @@ private:
     std::unique_ptr<LeafController> m_leaves;
     std::unique_ptr<ReproduceController> m_reproducing;
     std::unique_ptr<AnotherController> m_another;
+    std::unique_ptr<HistoryLimit> m_historyLimit;
     std::unique_ptr<HelpController> m_help;
 };
 

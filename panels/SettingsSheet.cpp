@@ -75,6 +75,7 @@ SettingsSheet::SettingsSheet(const Preferences& preferences, QWidget* parent)
       m_mouse(new QComboBox(this)),
       m_mouseNote(makeNote()),
       m_undo(new QSpinBox(this)),
+      m_undoMemory(new QSpinBox(this)),
       m_folder(makeNote()),
       m_defaults(new QPushButton(tr("Defaults"), this))
 {
@@ -111,9 +112,13 @@ SettingsSheet::SettingsSheet(const Preferences& preferences, QWidget* parent)
         box->setMinimumHeight(kControl);
         connect(box, &QComboBox::currentIndexChanged, this, &SettingsSheet::edit);
     }
-    m_undo->setMinimumHeight(kControl);
-    m_undo->setButtonSymbols(QAbstractSpinBox::NoButtons);
-    connect(m_undo, &QSpinBox::valueChanged, this, &SettingsSheet::edit);
+    for (QSpinBox* number : {m_undo, m_undoMemory}) {
+        number->setMinimumHeight(kControl);
+        number->setButtonSymbols(QAbstractSpinBox::NoButtons);
+        // Not while a number is being typed: 1 on the way to 1000 would drop most of the history.
+        number->setKeyboardTracking(false);
+        connect(number, &QSpinBox::valueChanged, this, &SettingsSheet::edit);
+    }
     connect(m_softness, &QSlider::valueChanged, this, [this](int value) {
         if (m_isShowing)
             return;
@@ -244,6 +249,9 @@ QLayout* SettingsSheet::makeWork()
     m_undo->setRange(0, Preferences::kMostUndoSteps);
     m_undo->setSpecialValueText(tr("all"));
     m_undo->setObjectName(QStringLiteral("undo"));
+    m_undoMemory->setRange(Preferences::kLeastUndoMemory, Preferences::kMostUndoMemory);
+    m_undoMemory->setSuffix(tr(" MB"));
+    m_undoMemory->setObjectName(QStringLiteral("undoMemory"));
     auto* change = new QPushButton(tr("Change…"), this);
     change->setMinimumHeight(kControl);
     connect(change, &QPushButton::clicked, this, &SettingsSheet::chooseFolder);
@@ -253,6 +261,8 @@ QLayout* SettingsSheet::makeWork()
     form->addRow(barHeading(tr("Work"), this));
     form->addRow(makeLabel(tr("Undo steps kept"), m_undo), m_undo);
     form->addRow(makeNote(tr("A change applies to the next tree that you begin or open.")));
+    form->addRow(makeLabel(tr("Memory for undo"), m_undoMemory), m_undoMemory);
+    form->addRow(makeNote(tr("If the history takes more, its oldest steps go.")));
     form->addRow(makeLabel(tr("Library"), change), change);
     form->addRow(m_folder);
     return form;
@@ -287,6 +297,7 @@ void SettingsSheet::display(const Preferences& preferences)
     m_mouse->setCurrentIndex(static_cast<int>(preferences.mouse));
     m_mouseNote->setText(mouseNote(preferences.mouse));
     m_undo->setValue(preferences.undoSteps);
+    m_undoMemory->setValue(preferences.undoMemory);
     const QString folder = QDir::toNativeSeparators(preferences.libraryFolder);
     m_folder->setText(folder.isEmpty()
                           ? tr("In Espalier's own folder")
@@ -309,6 +320,7 @@ void SettingsSheet::edit()
                           .delay = m_delay->value() / kHundredths};
     edited.mouse = static_cast<MouseScheme>(m_mouse->currentIndex());
     edited.undoSteps = m_undo->value();
+    edited.undoMemory = m_undoMemory->value();
     take(edited);
 }
 

@@ -67,6 +67,7 @@ private:
     QComboBox* m_mouse;
     QLabel* m_mouseNote;
     QSpinBox* m_undo;
+    QSpinBox* m_undoMemory;
     QLabel* m_folder;
     QPushButton* m_defaults;
 };

@@ -4803,6 +4803,10 @@ geschrieben werden konnte.
         <source>Leave It</source>
         <translation>Dabei lassen</translation>
     </message>
+    <message>
+        <source>The oldest steps of the history were dropped, so that it takes no more than %1 MB.</source>
+        <translation>Die ältesten Schritte des Verlaufs wurden verworfen, damit er nicht mehr als %1 MB braucht.</translation>
+    </message>
 </context>
 <context>
     <name>espalier::Notice</name>
@@ -5486,6 +5490,18 @@ geschrieben werden konnte.
     <message>
         <source>Takes effect the next time Espalier starts.</source>
         <translation>Gilt ab dem nächsten Start von Espalier.</translation>
+    </message>
+    <message>
+        <source> MB</source>
+        <translation> MB</translation>
+    </message>
+    <message>
+        <source>Memory for undo</source>
+        <translation>Speicher für den Verlauf</translation>
+    </message>
+    <message>
+        <source>If the history takes more, its oldest steps go.</source>
+        <translation>Braucht der Verlauf mehr, fallen die ältesten Schritte weg.</translation>
     </message>
 </context>
 <context>

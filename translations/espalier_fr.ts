@@ -4802,6 +4802,10 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <source>Leave It</source>
         <translation>En rester là</translation>
     </message>
+    <message>
+        <source>The oldest steps of the history were dropped, so that it takes no more than %1 MB.</source>
+        <translation>Les plus anciennes étapes de l’historique ont été abandonnées, pour qu’il ne prenne pas plus de %1 Mo.</translation>
+    </message>
 </context>
 <context>
     <name>espalier::Notice</name>
@@ -5485,6 +5489,18 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
     <message>
         <source>Takes effect the next time Espalier starts.</source>
         <translation>Prend effet au prochain démarrage d’Espalier.</translation>
+    </message>
+    <message>
+        <source> MB</source>
+        <translation> Mo</translation>
+    </message>
+    <message>
+        <source>Memory for undo</source>
+        <translation>Mémoire de l’historique</translation>
+    </message>
+    <message>
+        <source>If the history takes more, its oldest steps go.</source>
+        <translation>Si l’historique en prend plus, ses plus anciennes étapes disparaissent.</translation>
     </message>
 </context>
 <context>

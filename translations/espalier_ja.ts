@@ -4795,6 +4795,10 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <source>Leave It</source>
         <translation>このままにする</translation>
     </message>
+    <message>
+        <source>The oldest steps of the history were dropped, so that it takes no more than %1 MB.</source>
+        <translation>履歴が %1 MB を超えないように、古いステップを削除しました。</translation>
+    </message>
 </context>
 <context>
     <name>espalier::Notice</name>
@@ -5477,6 +5481,18 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
     <message>
         <source>Takes effect the next time Espalier starts.</source>
         <translation>次に Espalier を起動したときから有効です。</translation>
+    </message>
+    <message>
+        <source> MB</source>
+        <translation> MB</translation>
+    </message>
+    <message>
+        <source>Memory for undo</source>
+        <translation>履歴のメモリー</translation>
+    </message>
+    <message>
+        <source>If the history takes more, its oldest steps go.</source>
+        <translation>履歴がこれを超えると、古いステップから消えます。</translation>
     </message>
 </context>
 <context>

@@ -4804,6 +4804,10 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <source>Leave It</source>
         <translation>Zostaw tak</translation>
     </message>
+    <message>
+        <source>The oldest steps of the history were dropped, so that it takes no more than %1 MB.</source>
+        <translation>Najstarsze kroki historii usunięto, aby nie zajmowała więcej niż %1 MB.</translation>
+    </message>
 </context>
 <context>
     <name>espalier::Notice</name>
@@ -5488,6 +5492,18 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
     <message>
         <source>Takes effect the next time Espalier starts.</source>
         <translation>Działa od następnego uruchomienia programu.</translation>
+    </message>
+    <message>
+        <source> MB</source>
+        <translation> MB</translation>
+    </message>
+    <message>
+        <source>Memory for undo</source>
+        <translation>Pamięć na historię</translation>
+    </message>
+    <message>
+        <source>If the history takes more, its oldest steps go.</source>
+        <translation>Jeśli historia zajmie więcej, znikną jej najstarsze kroki.</translation>
     </message>
 </context>
 <context>

@@ -235,6 +235,11 @@ void Viewport::flyTo(const Camera& camera)
 void Viewport::followDocument(const TreeChange& change)
 {
     m_scene.follow(change);
+    if (!change.delta && !isGestureActive()) {
+        // What the tool has chosen has another id now, or is not there.
+        m_tool->leave();
+        m_tool->keyPressed(Qt::Key_Escape);
+    }
     if (change.kind == TreeChange::Kind::Reset)
         showAnew();
     m_pacer.disturb();
@@ -291,6 +296,11 @@ void Viewport::followSettings()
     m_scene.setFibresShown(values.fibresShown);
     m_pacer.disturb();
     redrawTree();
+}
+
+bool Viewport::isBetweenGestures() const
+{
+    return m_labelEditor || m_tool->canTakeBack();
 }
 
 void Viewport::setTool(std::unique_ptr<Tool> tool)

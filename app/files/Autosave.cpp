@@ -161,7 +161,8 @@ void Autosave::followDocument()
 
 void Autosave::followTree(const TreeChange& change)
 {
-    if (change.kind == TreeChange::Kind::Exchanged)
+    // What the copy tells of is not the history any more.
+    if (change.kind == TreeChange::Kind::Exchanged || change.kind == TreeChange::Kind::Renumbered)
         beginAnew();
     if (hasUnsaved())
         beDue();

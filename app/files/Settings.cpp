@@ -30,6 +30,7 @@ const QString kStabiliserDistance = QStringLiteral("hand/stabiliserDistance");
 const QString kStabiliserDelay = QStringLiteral("hand/stabiliserDelay");
 const QString kMouse = QStringLiteral("hand/mouse");
 const QString kUndoSteps = QStringLiteral("hand/undoSteps");
+const QString kUndoMemory = QStringLiteral("hand/undoMemory");
 const QString kTourSeen = QStringLiteral("help/tourSeen");
 const QString kLanguage = QStringLiteral("window/language");
 const QString kUnits = QStringLiteral("window/units");
@@ -161,6 +162,8 @@ Preferences Settings::preferences() const
     readUpTo(kStabiliserDelay, values.stabilising.delay, Stabilising::kLongestDelay);
     values.undoSteps =
         std::clamp(store.value(kUndoSteps, values.undoSteps).toInt(), 0, Preferences::kMostUndoSteps);
+    values.undoMemory = std::clamp(store.value(kUndoMemory, values.undoMemory).toInt(),
+                                   Preferences::kLeastUndoMemory, Preferences::kMostUndoMemory);
     values.libraryFolder = store.value(kLibraryFolder).toString();
     if (const QString language = store.value(kLanguage).toString();
         Preferences::languages().contains(language))
@@ -178,6 +181,7 @@ void Settings::setPreferences(const Preferences& preferences)
     store.setValue(kStabiliserDelay, preferences.stabilising.delay);
     store.setValue(kMouse, static_cast<int>(preferences.mouse));
     store.setValue(kUndoSteps, preferences.undoSteps);
+    store.setValue(kUndoMemory, preferences.undoMemory);
     store.setValue(kLibraryFolder, preferences.libraryFolder);
     store.setValue(kLanguage, preferences.language);
     store.setValue(kUnits, static_cast<int>(preferences.units));

@@ -3,15 +3,23 @@
 
 namespace espalier {
 
+std::vector<AsideDocument::Step> AsideDocument::stepsOf(const TreeDocument& document)
+{
+    const QUndoStack& stack = document.undoStack();
+    std::vector<Step> steps;
+    for (int i = 0; i < stack.count(); ++i) {
+        const EditCommand& command = EditCommand::at(stack, i);
+        steps.push_back({command.text(), command.content()});
+    }
+    return steps;
+}
+
 AsideDocument AsideDocument::takenFrom(TreeDocument& document)
 {
     document.interruptEdit();
     QUndoStack& stack = document.m_undoStack;
     AsideDocument aside;
-    for (int i = 0; i < stack.count(); ++i) {
-        const EditCommand& command = EditCommand::at(stack, i);
-        aside.steps.push_back({command.text(), command.content()});
-    }
+    aside.steps = stepsOf(document);
     aside.index = stack.index();
     aside.cleanIndex = stack.cleanIndex();
     aside.undoLimit = stack.undoLimit();
@@ -34,6 +42,11 @@ void AsideDocument::bringBackTo(TreeDocument& document)
     const SceneLook look = tree.look.value_or(SceneLook());
     document.replaceBy(std::move(tree));
     document.setLook(look);
+    fillStack(document);
+}
+
+void AsideDocument::fillStack(TreeDocument& document)
+{
     QUndoStack& stack = document.m_undoStack;
     stack.setUndoLimit(undoLimit);
     std::vector<EditCommand*> commands;

@@ -20,6 +20,11 @@ struct AsideDocument {
         EditCommand::Content content;
     };
 
+    /// The steps of a document's undo stack.
+    static std::vector<Step> stepsOf(const TreeDocument& document);
+    /// Fills the undo stack, which is empty, of a document that is in the state after the step before index.
+    void fillStack(TreeDocument& document);
+
     PreparedTree tree; ///< With its history and its look
     std::vector<Step> steps;
     int index = 0;      ///< Of the undo stack: the steps before it are done, those after it are undone

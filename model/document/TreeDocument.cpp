@@ -41,13 +41,18 @@ void TreeDocument::replaceBy(PreparedTree prepared)
 
 void TreeDocument::swapWith(PreparedTree& other)
 {
+    swapTree(other);
+    tell({TreeChange::Kind::Exchanged, nullptr});
+}
+
+void TreeDocument::swapTree(PreparedTree& other)
+{
     std::swap(m_tree, other.tree);
     std::swap(m_journal, other.journal);
     std::swap(m_future, other.future);
     std::swap(m_index, other.index);
     std::swap(m_growthModel, other.growthModel);
     std::swap(m_pickIndex, other.pickIndex);
-    tell({TreeChange::Kind::Exchanged, nullptr});
 }
 
 void TreeDocument::setEdit(const Edit* edit, EditHooks hooks)
@@ -162,7 +167,8 @@ void TreeDocument::tell(const TreeChange& change)
 {
     ++m_revision;
     const InternodeId node = m_competitors.node;
-    if (node != kNoInternode && (!change.delta || !m_tree.isAlive(node)))
+    const bool isSameTree = change.delta != nullptr || change.kind == TreeChange::Kind::Renumbered;
+    if (node != kNoInternode && (!isSameTree || !m_tree.isAlive(node)))
         setCompetitors({});
     const QScopedValueRollback telling(m_isTelling, true);
     Q_EMIT changed(change);

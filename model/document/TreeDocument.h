@@ -23,10 +23,11 @@ namespace espalier {
 /// A change of the document's tree.
 struct TreeChange {
     enum class Kind {
-        Applied,   ///< delta was applied
-        Reverted,  ///< delta was reverted
-        Reset,     ///< another document's tree took its place; delta is null
-        Exchanged, ///< another tree with its history took its place, as an undo step; delta is null
+        Applied,    ///< delta was applied
+        Reverted,   ///< delta was reverted
+        Reset,      ///< another document's tree took its place; delta is null
+        Exchanged,  ///< another tree with its history took its place, as an undo step; delta is null
+        Renumbered, ///< the same tree got other ids, and a shorter history; delta is null
     };
 
     Kind kind = Kind::Reset;
@@ -37,6 +38,7 @@ class Edit;
 struct AsideDocument;
 struct PreparedTree;
 struct RestoredStep;
+struct ShortenedHistory;
 
 /// A tree, its journal and its undo stack. An Edit is the one way to change it; views and panels listen to
 /// changed().
@@ -105,6 +107,11 @@ public:
     /// ending the edit that is under way. Undo brings both back as they were.
     void exchange(PreparedTree prepared, const QString& text);
 
+    /// Forgets the oldest part of the history, to free its memory: undo and time go back less far from now
+    /// on. Returns false, and does nothing, if the tree has changed since @p shortened was made, or if an
+    /// edit is under way.
+    bool shorten(ShortenedHistory shortened);
+
     /// The edit that is under way, or null.
     const Edit* edit() const { return m_edit; }
     /// A number that increases with every change of the tree.
@@ -163,8 +170,10 @@ private:
     /// Sets everything but the look to @p prepared; clears the undo stack.
     void replaceBy(PreparedTree prepared);
     void restoreSteps(std::vector<RestoredStep> steps);
+    void tellOfStack();
     /// Swaps everything with @p other.
     void swapWith(PreparedTree& other);
+    void swapTree(PreparedTree& other);
     /// Goes back or forth in the history, to where @p position deltas of it have been applied.
     /// Precondition: position <= journal().size() + future().size().
     void travelTo(std::size_t position);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The part of TreeDocument that makes undo steps of another tree, and of a history that was read.
 #include "model/document/EditCommand.h"
+#include "model/document/HistorySnapshot.h"
 #include "model/document/PreparedTree.h"
 #include "model/document/TreeDocument.h"
 
@@ -35,6 +36,12 @@ void TreeDocument::restoreSteps(std::vector<RestoredStep> steps)
         }
         m_undoStack.setClean();
     }
+    tellOfStack();
+}
+
+/// What a stack that was filled with its signals blocked did not tell.
+void TreeDocument::tellOfStack()
+{
     Q_EMIT m_undoStack.indexChanged(m_undoStack.index());
     Q_EMIT m_undoStack.canUndoChanged(m_undoStack.canUndo());
     Q_EMIT m_undoStack.undoTextChanged(m_undoStack.undoText());
@@ -56,6 +63,26 @@ void TreeDocument::exchange(PreparedTree prepared, const QString& text)
     content.other = std::make_shared<PreparedTree>(std::move(prepared));
     swapWith(*content.other);
     m_undoStack.push(new EditCommand(*this, text, std::move(content)));
+}
+
+bool TreeDocument::shorten(ShortenedHistory shortened)
+{
+    if (m_edit || shortened.revision != m_revision)
+        return false;
+    AsideDocument& document = shortened.document;
+    document.cleanIndex = std::max(m_undoStack.cleanIndex() - shortened.steps, -1);
+    document.undoLimit = m_undoStack.undoLimit();
+    if (!m_competitors.areAll())
+        m_competitors.node = shortened.internodes[m_competitors.node];
+    {
+        const QSignalBlocker blocker(m_undoStack);
+        m_undoStack.clear();
+        swapTree(document.tree);
+        document.fillStack(*this);
+    }
+    tell({TreeChange::Kind::Renumbered, nullptr});
+    tellOfStack();
+    return true;
 }
 
 } // namespace espalier

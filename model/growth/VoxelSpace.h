@@ -169,6 +169,8 @@ public:
         Cell upper{0, 0, 0};
     };
     Bounds bounds() const;
+    /// The bricks that exist: brick (i, j, k) has the voxels from (8 i, 8 j, 8 k) on.
+    const std::vector<Cell>& bricks() const { return m_coordinates; }
 
     std::size_t bytes() const;
 

@@ -28,12 +28,15 @@ struct Preferences {
     static constexpr double kSoftest = 0.25;
     static constexpr double kFirmest = 4.0;
     static constexpr int kMostUndoSteps = 10'000;
+    static constexpr int kLeastUndoMemory = 50;
+    static constexpr int kMostUndoMemory = 64'000;
 
     Look look = Look::Dark;
     bool areToolsRight = false; ///< The bar of tools is on the right, for people who draw with the left hand
     double pressureExponent = 1.0; ///< kSoftest...kFirmest; see PointerReader::setPressureExponent
     MouseScheme mouse = MouseScheme::Espalier;
     int undoSteps = 0;       ///< Number of undo steps that are kept, 0...kMostUndoSteps; 0 for all
+    int undoMemory = 2'000;  ///< MB that the history may take, kLeastUndoMemory...kMostUndoMemory
     QString libraryFolder{}; ///< Folder of the library's trees; empty for a folder among the program's data
     Units units = Units::Metric;
     QString language{}; ///< One of Preferences::languages(); empty for the system's language

@@ -281,6 +281,7 @@ void EveryWidgetTest::prepare(QWidget& widget)
     if (auto* sheet = qobject_cast<SettingsSheet*>(widget.window())) {
         Preferences others = sheet->preferences();
         others.undoSteps = 77;
+        others.undoMemory = 777;
         others.look = Look::Dark;
         others.areToolsRight = false;
         others.language.clear();

@@ -150,6 +150,7 @@ void SettingsTest::preferences_areRemembered()
     QCOMPARE(language->count(), 6);
     language->setCurrentIndex(language->findData(QStringLiteral("ja")));
     sheet.findChild<QSpinBox*>(QStringLiteral("undo"))->setValue(40);
+    sheet.findChild<QSpinBox*>(QStringLiteral("undoMemory"))->setValue(300);
     sheet.findChild<QSlider*>(QStringLiteral("softness"))->setValue(-50);
     QCOMPARE(Settings().interfaceScale(), 100);
     box(sheet, "scale")->setFocus();
@@ -173,6 +174,7 @@ void SettingsTest::preferences_areRemembered()
     QVERIFY(kept.areToolsRight);
     QCOMPARE(kept.language, QStringLiteral("ja"));
     QCOMPARE(kept.undoSteps, 40);
+    QCOMPARE(kept.undoMemory, 300);
     QCOMPARE(kept.pressureExponent, 0.5);
     QVERIFY(kept == sheet.preferences());
     // A second trigger opens no second sheet.
@@ -187,12 +189,14 @@ void SettingsTest::nonsense_isTheDefaultOrTheNearest()
     store.setValue(QStringLiteral("hand/mouse"), QStringLiteral("trackball"));
     store.setValue(QStringLiteral("hand/pressureExponent"), QStringLiteral("nan"));
     store.setValue(QStringLiteral("hand/undoSteps"), -5);
+    store.setValue(QStringLiteral("hand/undoMemory"), 1);
     store.setValue(QStringLiteral("window/language"), QStringLiteral("klingon"));
     const Preferences read = Settings().preferences();
     QCOMPARE(read.look, Look::Dark);
     QCOMPARE(read.mouse, MouseScheme::Espalier);
     QCOMPARE(read.pressureExponent, 1.0);
     QCOMPARE(read.undoSteps, 0);
+    QCOMPARE(read.undoMemory, Preferences::kLeastUndoMemory);
     QVERIFY(read.language.isEmpty());
     store.setValue(QStringLiteral("hand/pressureExponent"), 100.0);
     QCOMPARE(Settings().preferences().pressureExponent, Preferences::kFirmest);
@@ -425,7 +429,7 @@ void SettingsTest::recipes_areNotHeldToTheUndoSteps()
 
 void SettingsTest::defaults_bringAllBack()
 {
-    Preferences others{Look::Light, true, 2.0, MouseScheme::Blender, 50, QDir::tempPath()};
+    Preferences others{Look::Light, true, 2.0, MouseScheme::Blender, 50, 500, QDir::tempPath()};
     SettingsSheet sheet(others);
     QVERIFY(sheet.preferences() == others);
     for (auto* button : sheet.findChildren<QPushButton*>()) {

@@ -5,6 +5,7 @@
 #include "commands/TimeGesture.h"
 #include "commands/recipe/RecipePlayer.h"
 #include "model/document/EditCommand.h"
+#include "model/document/HistorySnapshot.h"
 #include "tests/soak/Hand.h"
 #include "tests/support/Documents.h"
 
@@ -28,11 +29,23 @@ Result<QByteArray> packed(const TreeDocument& document)
     return packProject(project);
 }
 
-/// The difference between the documents, or nothing.
-QString difference(const TreeDocument& a, const TreeDocument& b)
+/// The tree without anything that only its history knows.
+Tree withoutPast(const TreeDocument& document)
+{
+    const RowsOfDeltas none;
+    Renumbering renumbering(document.tree(), document.journal(), document.journal().size(), none);
+    if (!renumbering.finish())
+        qFatal("the tree has a fault");
+    return renumbering.tree();
+}
+
+/// The difference between the documents, or nothing. @p wholly: also between what only the histories know.
+QString difference(const TreeDocument& a, const TreeDocument& b, bool wholly)
 {
     if (a.journal().size() != b.journal().size() || a.future().size() != b.future().size())
         return QStringLiteral("the histories are of different lengths");
+    if (!wholly)
+        return withoutPast(a) == withoutPast(b) ? QString() : QStringLiteral("the trees differ");
     if (!(a.tree() == b.tree()))
         return QStringLiteral("the trees differ");
     const Result<QByteArray> bytes = packed(a);
@@ -60,7 +73,6 @@ Soak::Milestone::Milestone(const TreeDocument& document)
       journal(document.journal().size()),
       future(document.future().size()),
       step(document.tree().step()),
-      parameters(document.tree().currentParameterSet()),
       widths(document.tree().widthConstraints().size()),
       lassos(document.tree().lassoIndicesInForce().size())
 {
@@ -89,15 +101,18 @@ QString Soak::run()
 {
     while (operationsDone() < m_options.operations) {
         // Sometimes more steps than there are, if a document that was never read would do the same.
-        const int most = m_reloads == 0 && m_random.onceIn(20) ? 1000 : undoable();
+        const bool isWhole = m_reloads == 0 && m_dropped.empty();
+        const int most = isWhole && m_random.onceIn(20) ? 1000 : undoable();
         RecipeOperation operation = m_random.next(m_document, most);
         // After reading, the same holds for redo.
         if (operation.as<RedoOperation>() && m_document.undoStack().count() <= m_restored)
             continue;
         if (!m_log.add(operation))
             return QStringLiteral("%1 could not be written").arg(m_log.fileName());
+        const int stepsBefore = m_document.undoStack().index();
         doByHand(m_document, operation, m_random);
         m_milestones.emplace_back(m_document);
+        noteMemory();
         if (const QString fault = lifeFault(m_document.tree()); !fault.isEmpty())
             return fault;
         ++m_done[operation.name()];
@@ -106,18 +121,45 @@ QString Soak::run()
             std::max(m_longestHistory, m_document.journal().size() + m_document.future().size());
         if (const QString fault = followByCopy(false); !fault.isEmpty())
             return fault;
+        // After a step that no redo can follow, in the replay neither.
+        const QUndoStack& stack = m_document.undoStack();
+        const bool isNewStep = !operation.as<UndoOperation>() && !operation.as<RedoOperation>() &&
+                               stack.index() == stack.count() && stack.index() > stepsBefore;
+        if (m_options.mostHistory > 0 && isNewStep && m_random.onceIn(20)) {
+            if (const QString fault = shorten(); !fault.isEmpty())
+                return fault;
+        }
         if (m_random.onceIn(m_options.checkEvery)) {
             if (const QString fault = check(); !fault.isEmpty())
                 return fault;
         }
-        if (m_random.onceIn(m_options.saveEvery)) {
+        if (m_random.onceIn(m_options.saveEvery) || ++m_unsaved >= m_options.mostUnsaved) {
+            m_unsaved = 0;
             if (const QString fault = saveAndReload(); !fault.isEmpty())
                 return fault;
         }
     }
     if (const QString fault = check(); !fault.isEmpty())
         return fault;
+    if (const QString fault = memoryFault(); !fault.isEmpty())
+        return fault;
     return replay();
+}
+
+/// Whether a long history is shortened, and the memory of many operations stays the same.
+QString Soak::memoryFault() const
+{
+    constexpr int kFew = 800;
+    constexpr int kMany = 10'000;
+    constexpr double kFlat = 1.05;
+    if (m_options.mostHistory == 0 || operationsDone() < kFew)
+        return {};
+    if (m_dropped.empty())
+        return QStringLiteral("the history was never shortened");
+    const auto [greatest, least] = memoryOfSecondHalf();
+    if (operationsDone() >= kMany && greatest > kFlat * least)
+        return QStringLiteral("the memory is not flat: from %1 to %2 MB").arg(least).arg(greatest);
+    return {};
 }
 
 void Soak::beginCopy()
@@ -235,6 +277,50 @@ QString Soak::check()
     return {};
 }
 
+QString Soak::shorten()
+{
+    const HistorySnapshot history(m_document);
+    std::optional<ShortenedHistory> shortened = history.shortenedTo(m_options.mostHistory);
+    if (!shortened)
+        return {};
+    if (const QString fault = checkCopy(); !fault.isEmpty())
+        return fault;
+    const Tree tree = withoutPast(m_document);
+    const std::size_t dropped = shortened->deltas;
+    const int steps = shortened->steps;
+    if (!m_document.shorten(std::move(*shortened)))
+        return QStringLiteral("the history is not shortened");
+    m_dropped.emplace(m_milestones.size(), dropped);
+    m_restored = std::max(0, m_restored - steps);
+    m_floor = std::max(0, m_floor - steps);
+    if (!(withoutPast(m_document) == tree))
+        return QStringLiteral("another tree has the shortened history");
+    beginCopy();
+    return check();
+}
+
+void Soak::noteMemory()
+{
+    constexpr int kEvery = 100;
+    if (operationsDone() % kEvery != 0)
+        return;
+    QFile status(QStringLiteral("/proc/self/statm"));
+    if (!status.open(QIODevice::ReadOnly))
+        return;
+    const double pages = status.readAll().split(' ').value(1).toDouble();
+    constexpr double kPagesOfMegabyte = 256;
+    m_memory.push_back(pages / kPagesOfMegabyte);
+}
+
+std::pair<double, double> Soak::memoryOfSecondHalf() const
+{
+    const auto half = m_memory.begin() + static_cast<std::ptrdiff_t>(m_memory.size() / 2);
+    if (half == m_memory.end())
+        return {0.0, 0.0};
+    const auto [least, greatest] = std::minmax_element(half, m_memory.end());
+    return {*greatest, *least};
+}
+
 QString Soak::replay()
 {
     Result<Recipe> recipe = readRecipe(m_log.fileName());
@@ -250,10 +336,15 @@ QString Soak::replay()
                 .arg(i)
                 .arg(operations[i].name());
         }
+        if (const auto dropped = m_dropped.find(i + 1); dropped != m_dropped.end()) {
+            std::optional<ShortenedHistory> shortened = HistorySnapshot(replayed).without(dropped->second);
+            if (!shortened || !replayed.shorten(std::move(*shortened)))
+                return QStringLiteral("the replay's history is not shortened after operation %1").arg(i);
+        }
     }
     if (operations.size() != m_milestones.size())
         return QStringLiteral("the recipe is not whole");
-    if (const QString fault = difference(m_document, replayed); !fault.isEmpty())
+    if (const QString fault = difference(m_document, replayed, m_dropped.empty()); !fault.isEmpty())
         return QStringLiteral("the replay does not end in the same document: ") + fault;
     if (const QString fault = indexFault(replayed); !fault.isEmpty())
         return QStringLiteral("the indices of the replay: ") + fault;
@@ -264,7 +355,7 @@ QString Soak::replay()
         if (!(Milestone(replayed) == Milestone(m_document)))
             return QStringLiteral("the replay's undo stack is another one");
     }
-    if (const QString fault = difference(m_document, replayed); !fault.isEmpty())
+    if (const QString fault = difference(m_document, replayed, m_dropped.empty()); !fault.isEmpty())
         return QStringLiteral("after undoing, ") + fault;
     return {};
 }
@@ -276,7 +367,9 @@ QString Soak::figures() const
         done += QStringLiteral("%1 %2").arg(name).arg(m_done.value(name));
     return QStringLiteral(
                "%1 operations (%2); read back %3 times, %4 of them in the past; %5 checks; at most %6 "
-               "living internodes and %7 deltas of history; %8 rows in the end; %9 changes followed")
+               "living internodes and %7 deltas of history, shortened %8 times; %9 rows in the end; %10 "
+               "changes "
+               "followed; memory of the second half %11 to %12 MB")
         .arg(operationsDone())
         .arg(done.join(QStringLiteral(", ")))
         .arg(m_reloads)
@@ -284,8 +377,11 @@ QString Soak::figures() const
         .arg(m_checks)
         .arg(m_mostLiving)
         .arg(m_longestHistory)
+        .arg(m_dropped.size())
         .arg(m_document.tree().size())
-        .arg(m_changes);
+        .arg(m_changes)
+        .arg(memoryOfSecondHalf().second, 0, 'f', 1)
+        .arg(memoryOfSecondHalf().first, 0, 'f', 1);
 }
 
 } // namespace espalier::test

@@ -9,6 +9,9 @@
 #include <QHash>
 #include <QTemporaryDir>
 
+#include <map>
+#include <utility>
+
 namespace espalier::test {
 
 struct SoakOptions {
@@ -17,6 +20,8 @@ struct SoakOptions {
     std::uint32_t mostLiving = 250; ///< Internodes; larger trees are cut back
     int saveEvery = 40;             ///< Operations, on average
     int checkEvery = 100;           ///< Operations, on average
+    int mostUnsaved = 1000;         ///< Operations after which the document is saved in any case
+    std::size_t mostHistory = 0;    ///< Bytes; a longer history is shortened. 0: no history is.
 };
 
 /// A document to which random operations of all kinds are applied, and which is saved and read back now and
@@ -25,6 +30,9 @@ struct SoakOptions {
 ///
 /// After each operation, what has changed is packed and made to a copy of the document as well, as safety
 /// copies do; the copy must stay equal to the document.
+///
+/// When the history takes more memory than it may, its oldest part is dropped, as the program does; the
+/// replay drops the same part after the same operation.
 ///
 /// Reading a file loses the undo stack. The recipe is played without files, so nothing is undone beyond the
 /// last reading, nor the command that would have joined a travel before it.
@@ -37,6 +45,9 @@ public:
     QString run();
 
     int operationsDone() const { return static_cast<int>(m_milestones.size()); }
+    /// Greatest and least memory of the process, MB, over the second half of the operations; equal if there
+    /// were too few.
+    std::pair<double, double> memoryOfSecondHalf() const;
     const RecipeLog& log() const { return m_log; }
     RecipeLog& log() { return m_log; }
     /// A text for the user: the operations, and the resulting tree.
@@ -53,7 +64,6 @@ private:
         std::size_t journal;
         std::size_t future;
         Step step;
-        std::uint32_t parameters;
         std::size_t widths;
         std::size_t lassos;
     };
@@ -66,6 +76,9 @@ private:
     QString checkCopy();
     QString saveAndReload();
     QString check();
+    QString shorten();
+    void noteMemory();
+    QString memoryFault() const;
     QString replay();
 
     SoakOptions m_options;
@@ -80,7 +93,10 @@ private:
     int m_restored = 0; ///< Commands that the last reading restored
     int m_floor = 0;    ///< Commands that are not undone
     std::vector<Milestone> m_milestones;
-    QHash<QString, int> m_done; ///< By the name of the operation
+    std::map<std::size_t, std::size_t> m_dropped; ///< Deltas, by the number of operations before
+    std::vector<double> m_memory;                 ///< MB, from time to time
+    int m_unsaved = 0;                            ///< Operations since the document was saved
+    QHash<QString, int> m_done;                   ///< By the name of the operation
     int m_reloads = 0;
     int m_reloadsInThePast = 0;
     int m_checks = 0;

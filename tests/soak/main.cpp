@@ -18,17 +18,22 @@ int main(int argc, char** argv)
                                         QStringLiteral("count"), QString::number(options.operations));
     const QCommandLineOption seed(QStringLiteral("seed"), QStringLiteral("Another seed, another tree."),
                                   QStringLiteral("number"), QString::number(options.seed));
+    const QCommandLineOption history(
+        QStringLiteral("history"),
+        QStringLiteral("Shortens histories that take more memory; 0: shortens none."), QStringLiteral("MB"),
+        QStringLiteral("0.3"));
     const QCommandLineOption keep(QStringLiteral("keep"), QStringLiteral("Keeps the recipe."));
     QCommandLineParser parser;
     parser.setApplicationDescription(QStringLiteral("Random operations of all kinds, saved and read back now "
                                                     "and then, must lead where their recipe leads."));
     parser.addHelpOption();
-    parser.addOptions({operations, seed, keep});
+    parser.addOptions({operations, seed, history, keep});
     parser.process(application);
     bool isCount = false;
     bool isSeed = false;
     options.operations = parser.value(operations).toInt(&isCount);
     options.seed = parser.value(seed).toULongLong(&isSeed);
+    options.mostHistory = static_cast<std::size_t>(parser.value(history).toDouble() * 1e6);
     if (!isCount || !isSeed || options.operations < 1)
         parser.showHelp(2);
 

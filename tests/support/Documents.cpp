@@ -91,15 +91,24 @@ QString indexFault(const TreeDocument& document)
     if (space.edge() != fresh.space().edge() || !(space.pyramid() == fresh.space().pyramid()))
         return QStringLiteral("settings of the voxel space");
     // The updated space may have voxels left over from removed nodes: they must be as empty and light as any.
-    const VoxelSpace::Bounds bounds = space.bounds();
-    for (int x = bounds.lower.x; x <= bounds.upper.x; ++x) {
-        for (int y = bounds.lower.y; y <= bounds.upper.y; ++y) {
-            for (int z = bounds.lower.z; z <= bounds.upper.z; ++z) {
-                if (space.shadow({x, y, z}) != fresh.space().shadow({x, y, z}))
-                    return QStringLiteral("shadow of voxel %1, %2, %3").arg(x).arg(y).arg(z);
-                if (residents(space, {x, y, z}) != residents(fresh.space(), {x, y, z}))
-                    return QStringLiteral("nodes in voxel %1, %2, %3").arg(x).arg(y).arg(z);
-            }
+    std::vector<Cell> bricks = space.bricks();
+    bricks.insert(bricks.end(), fresh.space().bricks().begin(), fresh.space().bricks().end());
+    constexpr int kEdge = VoxelSpace::kBrickEdge;
+    for (const Cell& brick : bricks) {
+        for (int i = 0; i < kEdge * kEdge * kEdge; ++i) {
+            const Cell voxel{kEdge * brick.x + i % kEdge, kEdge * brick.y + i / kEdge % kEdge,
+                             kEdge * brick.z + i / (kEdge * kEdge)};
+            const auto at = [&voxel](const char* what) {
+                return QStringLiteral("%1 voxel %2, %3, %4")
+                    .arg(QLatin1StringView(what))
+                    .arg(voxel.x)
+                    .arg(voxel.y)
+                    .arg(voxel.z);
+            };
+            if (space.shadow(voxel) != fresh.space().shadow(voxel))
+                return at("shadow of");
+            if (residents(space, voxel) != residents(fresh.space(), voxel))
+                return at("nodes in");
         }
     }
     return {};

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/HistoryLimit.h"
+
+#include "app/runners/Background.h"
+#include "model/base/Parallel.h"
+#include "model/document/HistorySnapshot.h"
+#include "model/settings/Preferences.h"
+#include "views/render/PreparedScene.h"
+
+#include <optional>
+#include <utility>
+
+namespace espalier {
+
+namespace {
+
+constexpr int kInterval = 10'000; // ms from one look at the history to the next
+constexpr int kRetry = 1'000;     // ms, while something else is at work
+
+} // namespace
+
+struct HistoryLimit::Outcome {
+    std::optional<ShortenedHistory> history{};
+    std::shared_ptr<PreparedScene> scene{};
+};
+
+HistoryLimit::HistoryLimit(TreeDocument& document, std::function<bool()> isBusy, QObject* parent)
+    : QObject(parent),
+      m_document(document),
+      m_isBusy(std::move(isBusy)),
+      m_most(std::size_t{1'000'000} * static_cast<std::size_t>(Preferences().undoMemory))
+{
+    m_timer.setSingleShot(true);
+    connect(&m_timer, &QTimer::timeout, this, &HistoryLimit::look);
+    connect(&document.undoStack(), &QUndoStack::indexChanged, this, [this] {
+        m_isDue = true;
+        schedule();
+    });
+}
+
+HistoryLimit::~HistoryLimit() = default;
+
+void HistoryLimit::setMost(std::size_t bytes)
+{
+    if (bytes == m_most)
+        return;
+    m_most = bytes;
+    m_isDue = true;
+    m_timer.start(0);
+}
+
+void HistoryLimit::schedule()
+{
+    if (m_isDue && !m_isWorking && !m_timer.isActive())
+        m_timer.start(kInterval);
+}
+
+bool HistoryLimit::isAtRest() const
+{
+    return !m_isBusy() && !m_document.edit() && !m_document.areParametersHeld();
+}
+
+void HistoryLimit::look()
+{
+    if (m_isWorking)
+        return;
+    if (!isAtRest()) {
+        m_timer.start(kRetry);
+        return;
+    }
+    m_isWorking = true;
+    m_isDue = false;
+    runInBackground(
+        this,
+        [history = std::make_shared<HistorySnapshot>(m_document), most = m_most]() mutable {
+            Outcome outcome{.history = history->shortenedTo(most)};
+            history.reset();
+            if (outcome.history) {
+                leavingOneThread([&outcome] {
+                    PreparedTree& tree = outcome.history->document.tree;
+                    tree.preparePicking();
+                    outcome.scene =
+                        std::make_shared<PreparedScene>(tree.tree, tree.index, tree.growthModel->space());
+                });
+            }
+            return Result<Outcome>(std::move(outcome));
+        },
+        [this](Result<Outcome> outcome) {
+            m_isWorking = false;
+            // Without memory for it, the history stays as it is.
+            if (outcome)
+                take(std::move(*outcome));
+            schedule();
+        });
+}
+
+void HistoryLimit::take(Outcome outcome)
+{
+    if (!outcome.history)
+        return;
+    const int steps = outcome.history->steps;
+    if (!isAtRest() || outcome.history->revision != m_document.revision()) {
+        m_isDue = true;
+        return;
+    }
+    Q_EMIT scenePrepared(outcome.scene);
+    if (m_document.shorten(std::move(*outcome.history)))
+        Q_EMIT shortened(steps);
+}
+
+} // namespace espalier

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QElapsedTimer>
+#include <QObject>
+#include <QTimer>
+
+#include <cstddef>
+#include <functional>
+#include <memory>
+
+namespace espalier {
+
+class TreeDocument;
+struct PreparedScene;
+
+/// Keeps the memory of a document's history within a limit: when it is exceeded, the oldest undo steps go,
+/// and with them what only they could bring back (TreeDocument::shorten()). It looks and works in the
+/// background, and puts the result in place at a moment at which nothing else happens; if the tree has
+/// changed meanwhile, it tries again later.
+class HistoryLimit : public QObject {
+    Q_OBJECT
+
+public:
+    /// @p isBusy: whether the user or the program is at work on the document.
+    HistoryLimit(TreeDocument& document, std::function<bool()> isBusy, QObject* parent = nullptr);
+    ~HistoryLimit() override;
+
+    /// @p bytes that the history may take.
+    void setMost(std::size_t bytes);
+
+Q_SIGNALS:
+    /// The mesh of the tree under the ids that it is going to get.
+    void scenePrepared(const std::shared_ptr<espalier::PreparedScene>& scene);
+    /// So many undo steps are gone; 0 if only moments before all of them are.
+    void shortened(int steps);
+
+private:
+    struct Outcome;
+
+    void schedule();
+    void look();
+    void take(Outcome outcome);
+    bool isAtRest() const;
+
+    TreeDocument& m_document;
+    std::function<bool()> m_isBusy;
+    std::size_t m_most;
+    QTimer m_timer;
+    bool m_isWorking = false;
+    bool m_isDue = false; ///< The history has changed since it was last looked at
+};
+
+} // namespace espalier
