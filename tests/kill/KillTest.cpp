@@ -27,7 +27,7 @@ namespace {
 
 /// What the program said until it was killed.
 struct Story {
-    std::vector<QString> digests;           ///< By number of the operation; the seedling's is not known
+    std::vector<QString> digests;           ///< By number of the operation; 0: the beginning
     std::vector<qint64> times;              ///< ms, at which the operations were finished
     bool isDoing = false;                   ///< An operation was under way
     int safe = 0;                           ///< The last operation that was in the safety copy
@@ -41,6 +41,8 @@ Story readStory(const QByteArray& output)
     story.times.push_back(0);
     for (const QByteArray& line : output.split('\n')) {
         const QList<QByteArray> words = line.split(' ');
+        if (words[0] == "begins" && words.size() == 2)
+            story.digests[0] = QString::fromLatin1(words[1]);
         // The last line may be cut off.
         if (words[0] == "doing" || words[0] == "done")
             story.isDoing = words[0] == "doing";
@@ -145,6 +147,9 @@ QString KillTest::checkCopy(const Story& story, const QString& home, int& kept)
         if (!project)
             return QStringLiteral("a safety copy is damaged: ") + project.error().message;
         kept = lastWith(story, digestOf(*project), kept);
+    } else {
+        // All may have been undone: there is nothing to keep of a tree that is as it began.
+        kept = lastWith(story, story.digests[0], kept);
     }
     if (!m_isAsked)
         m_lost.push_back(kept == last ? 0 : m_killedAt - story.times[static_cast<std::size_t>(kept) + 1]);

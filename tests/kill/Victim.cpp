@@ -40,6 +40,7 @@ public:
           m_files(m_widget, m_document, m_settings, m_notice, [] { return QImage(); })
     {
         m_files.startNew();
+        tell(QStringLiteral("begins ") + digestOf(projectOf(m_document, {})));
         connect(&m_files.autosave(), &Autosave::written, this,
                 [this] { tell(QStringLiteral("safe %1").arg(m_done)); });
         connect(&m_files.file(), &DocumentFile::saved, this,
