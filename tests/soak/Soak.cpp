@@ -65,18 +65,16 @@ QString lifeFault(const Tree& tree)
     return {};
 }
 
-} // namespace
-
-Soak::Milestone::Milestone(const TreeDocument& document)
-    : rows(document.tree().size()),
-      living(document.index().livingCount()),
-      journal(document.journal().size()),
-      future(document.future().size()),
-      step(document.tree().step()),
-      widths(document.tree().widthConstraints().size()),
-      lassos(document.tree().lassoIndicesInForce().size())
+/// The document in brief. A hash, since the memory of many operations is measured.
+std::size_t milestoneOf(const TreeDocument& document)
 {
+    const Tree& tree = document.tree();
+    return qHashMulti(0, tree.size(), document.index().livingCount(), document.journal().size(),
+                      document.future().size(), tree.step(), tree.widthConstraints().size(),
+                      tree.lassoIndicesInForce().size());
 }
+
+} // namespace
 
 Soak::Soak(const SoakOptions& options, const QString& recipeFile)
     : m_options(options),
@@ -88,6 +86,7 @@ Soak::Soak(const SoakOptions& options, const QString& recipeFile)
                          .camera = {},
                          .operations = {}})
 {
+    m_milestones.reserve(static_cast<std::size_t>(options.operations));
     m_document.reset(options.seed, m_random.parameters());
     beginCopy();
 }
@@ -111,7 +110,7 @@ QString Soak::run()
             return QStringLiteral("%1 could not be written").arg(m_log.fileName());
         const int stepsBefore = m_document.undoStack().index();
         doByHand(m_document, operation, m_random);
-        m_milestones.emplace_back(m_document);
+        m_milestones.push_back(milestoneOf(m_document));
         noteMemory();
         if (const QString fault = lifeFault(m_document.tree()); !fault.isEmpty())
             return fault;
@@ -331,7 +330,7 @@ QString Soak::replay()
     RecipePlayer player(replayed, std::move(*recipe));
     for (std::size_t i = 0; !player.isDone(); ++i) {
         player.playOperation();
-        if (i >= m_milestones.size() || !(Milestone(replayed) == m_milestones[i])) {
+        if (i >= m_milestones.size() || milestoneOf(replayed) != m_milestones[i]) {
             return QStringLiteral("the replay goes another way at operation %1, %2")
                 .arg(i)
                 .arg(operations[i].name());
@@ -352,7 +351,7 @@ QString Soak::replay()
     for (int left = undoable(); left > 0; --left) {
         m_document.undoStack().undo();
         replayed.undoStack().undo();
-        if (!(Milestone(replayed) == Milestone(m_document)))
+        if (milestoneOf(replayed) != milestoneOf(m_document))
             return QStringLiteral("the replay's undo stack is another one");
     }
     if (const QString fault = difference(m_document, replayed, m_dropped.empty()); !fault.isEmpty())

@@ -54,20 +54,6 @@ public:
     QString figures() const;
 
 private:
-    /// The document after an operation, in brief.
-    struct Milestone {
-        explicit Milestone(const TreeDocument& document);
-        bool operator==(const Milestone&) const = default;
-
-        std::uint32_t rows;
-        std::uint32_t living;
-        std::size_t journal;
-        std::size_t future;
-        Step step;
-        std::size_t widths;
-        std::size_t lassos;
-    };
-
     int undoable() const;
     /// The beginning of a copy that follows the document.
     void beginCopy();
@@ -90,9 +76,9 @@ private:
     std::size_t m_changes = 0;
     QTemporaryDir m_folder;
     RecipeLog m_log;
-    int m_restored = 0; ///< Commands that the last reading restored
-    int m_floor = 0;    ///< Commands that are not undone
-    std::vector<Milestone> m_milestones;
+    int m_restored = 0;                           ///< Commands that the last reading restored
+    int m_floor = 0;                              ///< Commands that are not undone
+    std::vector<std::size_t> m_milestones;        ///< A hash of the document after each operation
     std::map<std::size_t, std::size_t> m_dropped; ///< Deltas, by the number of operations before
     std::vector<double> m_memory;                 ///< MB, from time to time
     int m_unsaved = 0;                            ///< Operations since the document was saved
