@@ -127,6 +127,7 @@ void MainWindow::connectFiles()
     keep(ActionId::SavePicture, [this] { m_pictures->ask(); });
     keep(ActionId::Report, [this] { reportProblem(); });
     keep(ActionId::CopyPicture, [this] { m_pictures->copyShown(); });
+    keep(ActionId::BringBack, [this] { m_files->offerRecovery(Recovery::Occasion::Asked); });
     connect(m_actions[ActionId::Settings], &QAction::triggered, this, [this] { showSettings(); });
     connect(m_actions[ActionId::Quit], &QAction::triggered, this, &QWidget::close);
     connect(m_files.get(), &FileController::aboutToAsk, this, [this] {

@@ -108,7 +108,7 @@ int runWindow(const CommandLine& line, QApplication& application)
             window.help().startFirstTour();
         if (!line.inputs.isEmpty())
             window.files().openFile(line.inputs.constFirst());
-        window.files().offerRecovery();
+        window.files().offerRecovery(Recovery::Occasion::Start);
     }
     const int code = QApplication::exec();
     Log::note(QStringLiteral("Espalier ends"));

@@ -38,6 +38,8 @@ const std::array<ActionEntry, static_cast<std::size_t>(ActionId::Count)>& Action
         {CopyPicture, Group::File, "copyPicture", QT_TRANSLATE_NOOP("Actions", "Copy Picture"),
          QT_TRANSLATE_NOOP("Actions", "Copy a picture of the tree, as it is shown now, to the clipboard."),
          "Ctrl+Shift+C", ""},
+        {BringBack, Group::File, "bringBack", QT_TRANSLATE_NOOP("Actions", "Bring Trees Back…"),
+         QT_TRANSLATE_NOOP("Actions", "See the trees that were not saved when Espalier ended."), "", ""},
         {Settings, Group::File, "settings", QT_TRANSLATE_NOOP("Actions", "Settings…"),
          QT_TRANSLATE_NOOP("Actions", "How Espalier looks, and how it responds to your hand."), "Ctrl+,", ""},
         {Quit, Group::File, "quit", QT_TRANSLATE_NOOP("Actions", "Quit"),

@@ -22,6 +22,7 @@ enum class ActionId {
     Export,
     SavePicture,
     CopyPicture,
+    BringBack,
     Settings,
     Quit,
     Undo,

@@ -197,6 +197,7 @@ void apply(QApplication& application, Look look)
         QScrollBar::add-page, QScrollBar::sub-page { background: transparent; }
 
         QFrame[separator="true"] { background: @edge; }
+        QLabel[picture="true"] { background: @sunken; color: @dim; border-radius: 8px; }
         QLabel[tone="dim"] { color: @dim; }
         QLabel[tone="bright"] { color: @text; }
         QLabel[tone="overDark"] { color: @overDark; }

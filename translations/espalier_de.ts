@@ -463,6 +463,14 @@
         <source>Copy what a report should have: version, graphics and log.</source>
         <translation>Kopieren, was ein Bericht enthalten soll: Version, Grafik und Protokoll.</translation>
     </message>
+    <message>
+        <source>Bring Trees Back…</source>
+        <translation>Bäume zurückholen …</translation>
+    </message>
+    <message>
+        <source>See the trees that were not saved when Espalier ended.</source>
+        <translation>Die Bäume sehen, die beim Ende von Espalier nicht gespeichert waren.</translation>
+    </message>
 </context>
 <context>
     <name>AddBudsTool</name>
@@ -5207,9 +5215,46 @@ geschrieben werden konnte.
         <translation>Eine Sicherheitskopie kann nicht gelesen werden (%1). Sie wird als %3 aufbewahrt. %2</translation>
     </message>
     <message>
-        <source>Espalier ended unexpectedly. %1 can be brought back as it was on %2.</source>
-        <translation>Espalier wurde unerwartet beendet. %1 kann im Zustand vom %2 zurückgeholt werden.</translation>
+        <source>%1, but the file is no longer there</source>
+        <translation>%1, aber die Datei ist nicht mehr da</translation>
     </message>
+    <message>
+        <source>It cannot be read.</source>
+        <translation>Nicht lesbar.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln internodes</source>
+        <translation>
+            <numerusform>%Ln Internodium</numerusform>
+            <numerusform>%Ln Internodien</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Changed by another program since</source>
+        <translation>Seither von einem anderen Programm geändert</translation>
+    </message>
+    <message>
+        <source>There is nothing to bring back: all was saved, or given up.</source>
+        <translation>Es gibt nichts zurückzuholen: Alles ist gespeichert oder verworfen.</translation>
+    </message>
+    <message>
+        <source>Another tree can be brought back.</source>
+        <translation>Ein weiterer Baum lässt sich zurückholen.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n other trees can be brought back.</source>
+        <translation>
+            <numerusform>%n weiterer Baum lässt sich zurückholen.</numerusform>
+            <numerusform>%n weitere Bäume lassen sich zurückholen.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Show</source>
+        <translation>Zeigen</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::RecoveryRow</name>
     <message>
         <source>Bring Back</source>
         <translation>Zurückholen</translation>
@@ -5219,8 +5264,63 @@ geschrieben werden konnte.
         <translation>Verwerfen</translation>
     </message>
     <message>
+        <source>In the file</source>
+        <translation>In der Datei</translation>
+    </message>
+    <message>
+        <source>Can be brought back</source>
+        <translation>Lässt sich zurückholen</translation>
+    </message>
+    <message>
+        <source>It will be deleted when this closes.</source>
+        <translation>Wird beim Schließen gelöscht.</translation>
+    </message>
+    <message>
+        <source>Bring back %1</source>
+        <translation>%1 zurückholen</translation>
+    </message>
+    <message>
+        <source>Discard %1</source>
+        <translation>%1 verwerfen</translation>
+    </message>
+    <message>
+        <source>Drawing…</source>
+        <translation>Wird gezeichnet …</translation>
+    </message>
+    <message>
+        <source>No picture</source>
+        <translation>Kein Bild</translation>
+    </message>
+    <message>
+        <source>Keep</source>
+        <translation>Behalten</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::RecoverySheet</name>
+    <message>
+        <source>today, %1</source>
+        <translation>heute, %1</translation>
+    </message>
+    <message>
+        <source>yesterday, %1</source>
+        <translation>gestern, %1</translation>
+    </message>
+    <message>
+        <source>Bring Trees Back</source>
+        <translation>Bäume zurückholen</translation>
+    </message>
+    <message>
+        <source>Espalier ended before this was saved. What you leave here is offered again at the next start.</source>
+        <translation>Espalier endete, bevor dies gespeichert war. Was Sie hier lassen, wird beim nächsten Start wieder angeboten.</translation>
+    </message>
+    <message>
         <source>Later</source>
         <translation>Später</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>Fertig</translation>
     </message>
 </context>
 <context>

@@ -463,6 +463,14 @@
         <source>Copy what a report should have: version, graphics and log.</source>
         <translation>Copier ce qu’un rapport doit contenir : version, affichage et journal.</translation>
     </message>
+    <message>
+        <source>Bring Trees Back…</source>
+        <translation>Récupérer des arbres…</translation>
+    </message>
+    <message>
+        <source>See the trees that were not saved when Espalier ended.</source>
+        <translation>Voir les arbres qui n’étaient pas enregistrés à la fin d’Espalier.</translation>
+    </message>
 </context>
 <context>
     <name>AddBudsTool</name>
@@ -5206,9 +5214,46 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>Une copie de sécurité est illisible (%1). Elle est conservée sous %3. %2</translation>
     </message>
     <message>
-        <source>Espalier ended unexpectedly. %1 can be brought back as it was on %2.</source>
-        <translation>Espalier s’est arrêté de façon inattendue. %1 peut être récupéré tel qu’il était le %2.</translation>
+        <source>%1, but the file is no longer there</source>
+        <translation>%1, mais le fichier n’y est plus</translation>
     </message>
+    <message>
+        <source>It cannot be read.</source>
+        <translation>Illisible.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln internodes</source>
+        <translation>
+            <numerusform>%Ln entre-nœud</numerusform>
+            <numerusform>%Ln entre-nœuds</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Changed by another program since</source>
+        <translation>Modifié depuis par un autre programme</translation>
+    </message>
+    <message>
+        <source>There is nothing to bring back: all was saved, or given up.</source>
+        <translation>Il n’y a rien à récupérer : tout est enregistré ou abandonné.</translation>
+    </message>
+    <message>
+        <source>Another tree can be brought back.</source>
+        <translation>Un autre arbre peut être récupéré.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n other trees can be brought back.</source>
+        <translation>
+            <numerusform>%n autre arbre peut être récupéré.</numerusform>
+            <numerusform>%n autres arbres peuvent être récupérés.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Show</source>
+        <translation>Afficher</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::RecoveryRow</name>
     <message>
         <source>Bring Back</source>
         <translation>Récupérer</translation>
@@ -5218,8 +5263,63 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>Abandonner</translation>
     </message>
     <message>
+        <source>In the file</source>
+        <translation>Dans le fichier</translation>
+    </message>
+    <message>
+        <source>Can be brought back</source>
+        <translation>Peut être récupéré</translation>
+    </message>
+    <message>
+        <source>It will be deleted when this closes.</source>
+        <translation>Sera supprimé à la fermeture.</translation>
+    </message>
+    <message>
+        <source>Bring back %1</source>
+        <translation>Récupérer %1</translation>
+    </message>
+    <message>
+        <source>Discard %1</source>
+        <translation>Abandonner %1</translation>
+    </message>
+    <message>
+        <source>Drawing…</source>
+        <translation>Dessin en cours…</translation>
+    </message>
+    <message>
+        <source>No picture</source>
+        <translation>Pas d’image</translation>
+    </message>
+    <message>
+        <source>Keep</source>
+        <translation>Garder</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::RecoverySheet</name>
+    <message>
+        <source>today, %1</source>
+        <translation>aujourd’hui, %1</translation>
+    </message>
+    <message>
+        <source>yesterday, %1</source>
+        <translation>hier, %1</translation>
+    </message>
+    <message>
+        <source>Bring Trees Back</source>
+        <translation>Récupérer des arbres</translation>
+    </message>
+    <message>
+        <source>Espalier ended before this was saved. What you leave here is offered again at the next start.</source>
+        <translation>Espalier s’est arrêté avant que cela soit enregistré. Ce que vous laissez ici sera proposé de nouveau au prochain démarrage.</translation>
+    </message>
+    <message>
         <source>Later</source>
         <translation>Plus tard</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>Terminé</translation>
     </message>
 </context>
 <context>

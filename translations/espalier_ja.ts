@@ -463,6 +463,14 @@
         <source>Copy what a report should have: version, graphics and log.</source>
         <translation>報告に必要な内容（バージョン、グラフィックス、ログ）をコピーします。</translation>
     </message>
+    <message>
+        <source>Bring Trees Back…</source>
+        <translation>木を復元…</translation>
+    </message>
+    <message>
+        <source>See the trees that were not saved when Espalier ended.</source>
+        <translation>Espalier の終了時に保存されていなかった木を見ます。</translation>
+    </message>
 </context>
 <context>
     <name>AddBudsTool</name>
@@ -5198,9 +5206,44 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>%1 の控えを読み込めません。控えは %3 に残してあります。%2</translation>
     </message>
     <message>
-        <source>Espalier ended unexpectedly. %1 can be brought back as it was on %2.</source>
-        <translation>Espalier が予期せず終了しました。%1 を %2 の状態に復元できます。</translation>
+        <source>%1, but the file is no longer there</source>
+        <translation>%1（ファイルはもうありません）</translation>
     </message>
+    <message>
+        <source>It cannot be read.</source>
+        <translation>読み込めません。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln internodes</source>
+        <translation>
+            <numerusform>%Ln 節間</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Changed by another program since</source>
+        <translation>その後ほかのプログラムが変更</translation>
+    </message>
+    <message>
+        <source>There is nothing to bring back: all was saved, or given up.</source>
+        <translation>復元するものはありません。すべて保存されたか、破棄されています。</translation>
+    </message>
+    <message>
+        <source>Another tree can be brought back.</source>
+        <translation>復元できる木がもう 1 本あります。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n other trees can be brought back.</source>
+        <translation>
+            <numerusform>復元できる木がほかに %n 本あります。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Show</source>
+        <translation>表示</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::RecoveryRow</name>
     <message>
         <source>Bring Back</source>
         <translation>復元</translation>
@@ -5210,8 +5253,63 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>破棄</translation>
     </message>
     <message>
+        <source>In the file</source>
+        <translation>ファイル</translation>
+    </message>
+    <message>
+        <source>Can be brought back</source>
+        <translation>復元できる状態</translation>
+    </message>
+    <message>
+        <source>It will be deleted when this closes.</source>
+        <translation>閉じると削除されます。</translation>
+    </message>
+    <message>
+        <source>Bring back %1</source>
+        <translation>%1 を復元</translation>
+    </message>
+    <message>
+        <source>Discard %1</source>
+        <translation>%1 を破棄</translation>
+    </message>
+    <message>
+        <source>Drawing…</source>
+        <translation>描画中…</translation>
+    </message>
+    <message>
+        <source>No picture</source>
+        <translation>画像なし</translation>
+    </message>
+    <message>
+        <source>Keep</source>
+        <translation>残す</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::RecoverySheet</name>
+    <message>
+        <source>today, %1</source>
+        <translation>今日 %1</translation>
+    </message>
+    <message>
+        <source>yesterday, %1</source>
+        <translation>昨日 %1</translation>
+    </message>
+    <message>
+        <source>Bring Trees Back</source>
+        <translation>木を復元</translation>
+    </message>
+    <message>
+        <source>Espalier ended before this was saved. What you leave here is offered again at the next start.</source>
+        <translation>保存する前に Espalier が終了しました。ここに残したものは、次の起動時にもう一度表示されます。</translation>
+    </message>
+    <message>
         <source>Later</source>
         <translation>後で</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>完了</translation>
     </message>
 </context>
 <context>

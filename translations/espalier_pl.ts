@@ -463,6 +463,14 @@
         <source>Copy what a report should have: version, graphics and log.</source>
         <translation>Skopiuj to, co powinno znaleźć się w zgłoszeniu: wersję, dane o grafice i dziennik.</translation>
     </message>
+    <message>
+        <source>Bring Trees Back…</source>
+        <translation>Przywróć drzewa…</translation>
+    </message>
+    <message>
+        <source>See the trees that were not saved when Espalier ended.</source>
+        <translation>Pokaż drzewa, które nie były zapisane, gdy Espalier zakończył działanie.</translation>
+    </message>
 </context>
 <context>
     <name>AddBudsTool</name>
@@ -5209,9 +5217,48 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>Nie można odczytać kopii zapasowej (%1). Zachowano ją jako %3. %2</translation>
     </message>
     <message>
-        <source>Espalier ended unexpectedly. %1 can be brought back as it was on %2.</source>
-        <translation>Espalier niespodziewanie zakończył pracę. Można przywrócić stan z %2: %1.</translation>
+        <source>%1, but the file is no longer there</source>
+        <translation>%1, ale pliku już tam nie ma</translation>
     </message>
+    <message>
+        <source>It cannot be read.</source>
+        <translation>Nie można odczytać.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln internodes</source>
+        <translation>
+            <numerusform>%Ln międzywęźle</numerusform>
+            <numerusform>%Ln międzywęźla</numerusform>
+            <numerusform>%Ln międzywęźli</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Changed by another program since</source>
+        <translation>Zmieniony potem przez inny program</translation>
+    </message>
+    <message>
+        <source>There is nothing to bring back: all was saved, or given up.</source>
+        <translation>Nie ma czego przywracać: wszystko jest zapisane lub odrzucone.</translation>
+    </message>
+    <message>
+        <source>Another tree can be brought back.</source>
+        <translation>Można przywrócić jeszcze jedno drzewo.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n other trees can be brought back.</source>
+        <translation>
+            <numerusform>Można przywrócić jeszcze %n drzewo.</numerusform>
+            <numerusform>Można przywrócić jeszcze %n drzewa.</numerusform>
+            <numerusform>Można przywrócić jeszcze %n drzew.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Show</source>
+        <translation>Pokaż</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::RecoveryRow</name>
     <message>
         <source>Bring Back</source>
         <translation>Przywróć</translation>
@@ -5221,8 +5268,63 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>Odrzuć</translation>
     </message>
     <message>
+        <source>In the file</source>
+        <translation>W pliku</translation>
+    </message>
+    <message>
+        <source>Can be brought back</source>
+        <translation>Można przywrócić</translation>
+    </message>
+    <message>
+        <source>It will be deleted when this closes.</source>
+        <translation>Zostanie usunięte po zamknięciu.</translation>
+    </message>
+    <message>
+        <source>Bring back %1</source>
+        <translation>Przywróć %1</translation>
+    </message>
+    <message>
+        <source>Discard %1</source>
+        <translation>Odrzuć %1</translation>
+    </message>
+    <message>
+        <source>Drawing…</source>
+        <translation>Rysowanie…</translation>
+    </message>
+    <message>
+        <source>No picture</source>
+        <translation>Brak obrazu</translation>
+    </message>
+    <message>
+        <source>Keep</source>
+        <translation>Zachowaj</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::RecoverySheet</name>
+    <message>
+        <source>today, %1</source>
+        <translation>dzisiaj, %1</translation>
+    </message>
+    <message>
+        <source>yesterday, %1</source>
+        <translation>wczoraj, %1</translation>
+    </message>
+    <message>
+        <source>Bring Trees Back</source>
+        <translation>Przywróć drzewa</translation>
+    </message>
+    <message>
+        <source>Espalier ended before this was saved. What you leave here is offered again at the next start.</source>
+        <translation>Espalier zakończył działanie, zanim to zapisano. To, co tu zostawisz, pojawi się znowu przy następnym uruchomieniu.</translation>
+    </message>
+    <message>
         <source>Later</source>
         <translation>Później</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>Gotowe</translation>
     </message>
 </context>
 <context>

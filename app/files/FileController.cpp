@@ -39,7 +39,7 @@ FileController::FileController(QWidget& window, TreeDocument& document, Settings
       m_thumbnail(std::move(thumbnail)),
       m_file(document),
       m_autosave(document, m_file),
-      m_recovery(notice),
+      m_recovery(window, notice),
       m_exports(notice)
 {
     connectFile();
@@ -237,7 +237,9 @@ void FileController::recover(const Leftover& leftover)
         Q_EMIT scenePrepared(read.scene);
         m_file.recover(std::move(read), leftover.original, leftover.content);
         m_autosave.adopt(leftover);
-        if (!warning.isEmpty())
+        if (warning.isEmpty())
+            m_recovery.remind();
+        else
             warn(warning);
     };
     replaceWith(

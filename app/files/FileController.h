@@ -89,7 +89,7 @@ public:
     /// The same for the document that is shown alone.
     bool mayLeaveShown();
     /// Offers everything that crashes have left, see Recovery.
-    void offerRecovery() { m_recovery.start(); }
+    void offerRecovery(Recovery::Occasion occasion) { m_recovery.start(occasion); }
     /// Tells if another program has changed the document's file; for a window that gets the focus.
     void lookAtDisk() { m_file.lookAtDisk(); }
     void fillRecentFiles(QMenu& menu);

@@ -2,14 +2,21 @@
 #include "app/files/Recovery.h"
 
 #include "app/runners/Background.h"
+#include "model/io/project/ProjectFile.h"
+#include "model/mesh/TreeCounts.h"
 #include "panels/Notice.h"
+#include "panels/RecoverySheet.h"
 
 #include <QDir>
-#include <QLocale>
+#include <QFileInfo>
+
+#include <optional>
 
 namespace espalier {
 
 namespace {
+
+constexpr int kPicturePasses = 4;
 
 /// A safety copy, and the reason why it cannot be read; empty if it can.
 struct Tried {
@@ -41,29 +48,78 @@ QString sentenceAbout(const Leftover& leftover, const QString& fault)
         .arg(leftover.displayName(), sentence, QDir::toNativeSeparators(place));
 }
 
+RecoverableTree shownOf(const Leftover& leftover)
+{
+    RecoverableTree tree{
+        .name = leftover.displayName(), .place = {}, .saved = {}, .changed = leftover.written};
+    if (leftover.original.isEmpty())
+        return tree;
+    const QFileInfo file(leftover.original);
+    tree.place = QDir::toNativeSeparators(file.absolutePath());
+    if (file.isFile())
+        tree.saved = file.lastModified();
+    else
+        tree.place = Recovery::tr("%1, but the file is no longer there").arg(tree.place);
+    return tree;
+}
+
 } // namespace
 
-Recovery::Recovery(Notice& notice, QObject* parent) : QObject(parent), m_notice(nullptr)
+/// What a worker thread finds out about a safety copy and the file that it comes from.
+struct Recovery::Compared {
+    struct Version {
+        std::optional<Project> project{}; ///< None if it cannot be read
+        QString caption{};
+    };
+    Version file;
+    Version copy;
+    Camera camera; ///< That shows both
+
+    static Compared of(const Leftover& leftover, const QSize& size);
+};
+
+Recovery::Compared Recovery::Compared::of(const Leftover& leftover, const QSize& size)
 {
-    setNotice(notice);
+    Box3 bounds;
+    const auto version = [&bounds](Result<Project> read) {
+        if (!read)
+            return Version{{}, tr("It cannot be read.")};
+        const TreeIndex index(read->tree);
+        bounds.extend(treeBounds(read->tree, index));
+        return Version{std::move(*read),
+                       tr("%Ln internodes", nullptr, static_cast<int>(index.livingCount()))};
+    };
+    Compared compared;
+    if (QFileInfo(leftover.original).isFile()) {
+        compared.file = version(loadProject(leftover.original));
+        if (leftover.content.exists() && FileContent::of(leftover.original) != leftover.content)
+            compared.file.caption += QLatin1Char('\n') + tr("Changed by another program since");
+    }
+    compared.copy = version(SafetyCopy::ofProject(leftover.fileName).read());
+    compared.camera.setViewSize(size);
+    compared.camera = compared.camera.turnedTo(NamedView::Front).framing(bounds);
+    return compared;
 }
 
-void Recovery::setNotice(Notice& notice)
+Recovery::Recovery(QWidget& window, Notice& notice, QObject* parent)
+    : QObject(parent), m_window(window), m_notice(&notice)
 {
-    m_notice = &notice;
-    // Queued, because a button of the notice may not have reported the answer yet.
-    connect(&notice, &Notice::closed, this, &Recovery::offerNext, Qt::QueuedConnection);
-    QMetaObject::invokeMethod(this, &Recovery::offerNext, Qt::QueuedConnection);
 }
 
-void Recovery::start()
+void Recovery::start(Occasion occasion)
 {
-    std::vector<Leftover> leftovers = Autosave::leftovers();
-    if (leftovers.empty())
+    if (m_isLooking || m_sheet)
         return;
+    std::vector<Leftover> leftovers = Autosave::leftovers();
+    if (leftovers.empty()) {
+        offer(occasion);
+        return;
+    }
+    m_isLooking = true;
     runInBackground(
         this, [leftovers = std::move(leftovers)] { return tryToRead(leftovers); },
-        [this](const std::vector<Tried>& tried) {
+        [this, occasion](const std::vector<Tried>& tried) {
+            m_isLooking = false;
             QStringList unreadable;
             for (const Tried& one : tried) {
                 if (one.isWorthless)
@@ -74,7 +130,7 @@ void Recovery::start()
                     unreadable.append(sentenceAbout(one.leftover, one.fault));
             }
             tellUnreadable(unreadable);
-            offerNext();
+            offer(unreadable.isEmpty() ? occasion : Occasion::Start);
         });
 }
 
@@ -89,28 +145,87 @@ void Recovery::tellUnreadable(const QStringList& sentences)
         m_notice->showWarning(sentences.join(QLatin1Char('\n')));
 }
 
-void Recovery::offerNext()
+void Recovery::offer(Occasion occasion)
 {
-    if (m_offers.empty() || !m_notice->isHidden())
-        return;
-    const Leftover& next = m_offers.front();
-    m_notice->ask(tr("Espalier ended unexpectedly. %1 can be brought back as it was on %2.")
-                      .arg(next.displayName(), QLocale().toString(next.written, QLocale::ShortFormat)),
-                  {tr("Bring Back"), tr("Discard"), tr("Later")}, [this](int chosen) { answer(chosen); });
-}
-
-void Recovery::answer(int chosen)
-{
-    if (chosen == 2) {
-        m_offers.clear();
+    if (m_offers.empty()) {
+        if (occasion == Occasion::Asked)
+            m_notice->showInformation(tr("There is nothing to bring back: all was saved, or given up."));
         return;
     }
-    const Leftover leftover = m_offers.front();
-    m_offers.pop_front();
-    if (chosen == 0)
-        Q_EMIT wanted(leftover);
-    else
-        Autosave::discard(leftover);
+    std::vector<RecoverableTree> trees;
+    for (const Leftover& leftover : m_offers)
+        trees.push_back(shownOf(leftover));
+    m_sheet = new RecoverySheet(trees, &m_window);
+    m_sheet->setAttribute(Qt::WA_DeleteOnClose);
+    connect(m_sheet, &QDialog::finished, this, &Recovery::end);
+    m_sheet->open();
+    compare(0);
+}
+
+/// Shows what the sheet's tree with that index, and those after it, look like.
+void Recovery::compare(std::size_t index)
+{
+    if (!m_sheet || index >= m_offers.size())
+        return;
+    const QSize pixels = m_sheet->pictureSize() * m_sheet->devicePixelRatioF();
+    runInBackground(
+        this, [leftover = m_offers[index], pixels] { return Compared::of(leftover, pixels); },
+        [this, index, sheet = m_sheet](Compared compared) {
+            if (sheet && sheet == m_sheet)
+                draw(index, std::make_shared<Compared>(std::move(compared)));
+        });
+}
+
+/// Draws the next picture of that tree.
+void Recovery::draw(std::size_t index, std::shared_ptr<Compared> compared)
+{
+    using State = RecoverySheet::State;
+    const bool isFile = !compared->file.caption.isEmpty();
+    const State state = isFile ? State::Saved : State::Changed;
+    const Compared::Version version = std::exchange(isFile ? compared->file : compared->copy, {});
+    if (version.caption.isEmpty()) {
+        compare(index + 1);
+        return;
+    }
+    const auto show = [this, index, state, compared, caption = version.caption](const QImage& picture) {
+        if (!m_sheet)
+            return;
+        m_sheet->showState(index, state, picture, caption);
+        draw(index, compared);
+    };
+    if (!version.project) {
+        show({});
+        return;
+    }
+    PictureRequest request;
+    request.camera = compared->camera;
+    request.size = compared->camera.viewSize().toSize();
+    request.options.samples = kPicturePasses;
+    m_pictures.start(*version.project, request,
+                     [show](const Result<QImage>& picture) { show(picture ? *picture : QImage()); });
+}
+
+/// The sheet has closed.
+void Recovery::end()
+{
+    m_pictures.cancel();
+    const std::vector<Leftover> offers = std::exchange(m_offers, {});
+    const RecoverySheet& sheet = *std::exchange(m_sheet, nullptr);
+    for (const std::size_t index : sheet.discarded())
+        Autosave::discard(offers[index]);
+    if (const std::optional<std::size_t> chosen = sheet.broughtBack())
+        Q_EMIT wanted(offers[*chosen]);
+}
+
+void Recovery::remind()
+{
+    const std::size_t count = Autosave::leftovers().size();
+    if (count == 0)
+        return;
+    const QString text = count == 1
+                             ? tr("Another tree can be brought back.")
+                             : tr("%n other trees can be brought back.", nullptr, static_cast<int>(count));
+    m_notice->showInformation(text, tr("Show"), [this] { start(Occasion::Asked); });
 }
 
 } // namespace espalier

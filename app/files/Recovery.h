@@ -2,28 +2,38 @@
 #pragma once
 
 #include "app/files/Autosave.h"
+#include "app/runners/PictureRunner.h"
 
 #include <QObject>
+#include <QPointer>
 
-#include <deque>
+#include <vector>
+
+class QWidget;
 
 namespace espalier {
 
 class Notice;
+class RecoverySheet;
 
-/// Offers all safety copies that crashes have left behind, one after another, the newest first. A safety copy
-/// that cannot be read is moved aside, and a notice says where; it is never deleted. Another notice can cover
-/// the question; the question comes back after it.
+/// Offers all safety copies that crashes have left behind in one dialog, the newest first. A safety copy that
+/// cannot be read is moved aside, and a notice says where; it is never deleted.
 class Recovery : public QObject {
     Q_OBJECT
 
 public:
-    explicit Recovery(Notice& notice, QObject* parent = nullptr);
-    /// Sets the notice that shows the questions and messages from now on.
-    void setNotice(Notice& notice);
+    Recovery(QWidget& window, Notice& notice, QObject* parent = nullptr);
+    /// Sets the notice that shows messages from now on.
+    void setNotice(Notice& notice) { m_notice = &notice; }
 
+    enum class Occasion {
+        Start, ///< Nothing is said if there is nothing to offer
+        Asked,
+    };
     /// Looks for safety copies; those that can be read are offered, once a worker thread has tried.
-    void start();
+    void start(Occasion occasion);
+    /// Says that there are more, if there are, after one has been brought back.
+    void remind();
     /// Moves a safety copy aside that turned out to be unreadable after it was offered; @p reason names the
     /// fault.
     void keepAside(const Leftover& leftover, const QString& reason);
@@ -33,12 +43,20 @@ Q_SIGNALS:
     void wanted(const espalier::Leftover& leftover);
 
 private:
-    void tellUnreadable(const QStringList& sentences);
-    void offerNext();
-    void answer(int chosen);
+    struct Compared;
 
+    void offer(Occasion occasion);
+    void tellUnreadable(const QStringList& sentences);
+    void compare(std::size_t index);
+    void draw(std::size_t index, std::shared_ptr<Compared> compared);
+    void end();
+
+    QWidget& m_window;
     Notice* m_notice;
-    std::deque<Leftover> m_offers;
+    std::vector<Leftover> m_offers; ///< As in the sheet
+    QPointer<RecoverySheet> m_sheet;
+    PictureRunner m_pictures;
+    bool m_isLooking = false; ///< A worker thread tries the safety copies
 };
 
 } // namespace espalier

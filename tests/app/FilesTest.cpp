@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "commands/GrowGesture.h"
 #include "panels/Notice.h"
+#include "panels/RecoverySheet.h"
 #include "tests/support/TestClasses.h"
 #include "tests/support/WindowFixture.h"
 #include "views/Viewport.h"
@@ -325,9 +326,10 @@ void FilesTest::crash_losesNothingThatWasFinished()
     QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
     QCOMPARE(Autosave::leftovers().size(), std::size_t{1});
 
-    m_window->files().offerRecovery();
-    QTRY_VERIFY_WITH_TIMEOUT(notice().contains(QStringLiteral("can be brought back")), 30'000);
-    QTest::mouseClick(m_window->workspace().notice().findChild<QPushButton*>(), Qt::LeftButton);
+    m_window->files().offerRecovery(Recovery::Occasion::Start);
+    const auto sheet = [this] { return m_window->findChild<RecoverySheet*>(); };
+    QTRY_VERIFY_WITH_TIMEOUT(sheet() && sheet()->isVisible(), 30'000);
+    QTest::keyClick(sheet(), Qt::Key_Return);
     QTRY_VERIFY_WITH_TIMEOUT(m_window->document().tree() == grown, 30'000);
     QVERIFY(m_window->isWindowModified());
     QVERIFY(Autosave::leftovers().empty());

@@ -92,7 +92,7 @@ void RecipeRunnerTest::tree_isSeenInManyStates()
     });
     beat.start(0);
     Recipe recipe;
-    recipe.operations.push_back(GrowOperation{.steps = 24});
+    recipe.operations.push_back(GrowOperation{.steps = 34});
     runner.start(recipe, RecipeRunner::Pace::Hurried);
     QVERIFY(waitForEnd(runner));
     QVERIFY2(beats >= 5, qPrintable(QString::number(beats)));

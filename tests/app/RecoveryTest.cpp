@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "panels/RecoverySheet.h"
 #include "tests/support/FilesFixture.h"
+#include "tests/support/SampleProject.h"
 #include "tests/support/TestClasses.h"
 
+#include <QAbstractButton>
+#include <QLabel>
+#include <QPushButton>
 #include <QSignalSpy>
 #include <QTest>
 
@@ -18,7 +23,8 @@ private Q_SLOTS:
     void damagedCopy_isKeptAsideAndNamedAtTheStart();
     void copyDamagedSinceTheStart_isKeptAside();
     void damagedCopies_doNotReplaceEachOther();
-    void question_comesBackAfterAnotherNotice();
+    void discarded_goOnlyWhenTheSheetCloses();
+    void pictures_showTheFileAndWhatWasDoneSince();
     void later_keepsThemAll();
     void offered_areNotOfferedToAnotherProgram();
     void broughtBack_asksBeforeItReplacesAFileChangedSince();
@@ -37,10 +43,32 @@ private:
         return QDir(Autosave::folder() + QStringLiteral("/unreadable"))
             .entryList({QStringLiteral("*.espalier")}, QDir::Files);
     }
-    static bool asks(const test::FilesWindow& window, const QString& name)
+    static RecoverySheet* sheetOf(const test::FilesWindow& window)
     {
-        return !window.notice.isHidden() && window.said().contains(name) &&
-               window.said().contains(QStringLiteral("can be brought back"));
+        return window.widget.findChild<RecoverySheet*>();
+    }
+    /// What the sheet says of its trees; empty if there is no sheet.
+    static QString offered(const test::FilesWindow& window)
+    {
+        QStringList texts;
+        if (const RecoverySheet* sheet = sheetOf(window)) {
+            for (const QLabel* label : sheet->findChildren<QLabel*>())
+                texts.append(label->isVisible() ? label->text() : QString());
+        }
+        return texts.join(QLatin1Char('\n'));
+    }
+    /// Presses a button of the sheet; @p text is its accessible name, or its text.
+    static void press(const test::FilesWindow& window, const QString& text)
+    {
+        const RecoverySheet* sheet = sheetOf(window);
+        QVERIFY(sheet);
+        for (QAbstractButton* button : sheet->findChildren<QAbstractButton*>()) {
+            if ((button->accessibleName() == text || button->text() == text) && button->isEnabled()) {
+                button->click();
+                return;
+            }
+        }
+        QFAIL(qPrintable(QStringLiteral("There is no button “%1”").arg(text)));
     }
 };
 
@@ -80,27 +108,34 @@ void RecoveryTest::everyLeftover_isOfferedTheNewestFirst()
     const Tree unnamed = crash("c", {}, 4, 20);
 
     test::FilesWindow window;
-    window.files->offerRecovery();
-    QTRY_VERIFY_WITH_TIMEOUT(asks(window, QStringLiteral("elm.espalier")), 30'000);
-    window.press(QStringLiteral("Bring Back"));
+    window.files->offerRecovery(Recovery::Occasion::Start);
+    QTRY_VERIFY_WITH_TIMEOUT(offered(window).contains(QStringLiteral("elm.espalier")), 30'000);
+    press(window, QStringLiteral("Bring Back"));
     QTRY_VERIFY_WITH_TIMEOUT(window.document.tree() == elm, 30'000);
     QCOMPARE(window.files->file().fileName(), path("elm.espalier"));
     QVERIFY(window.files->file().isModified());
 
-    QTRY_VERIFY_WITH_TIMEOUT(asks(window, QStringLiteral("A tree that was never saved")), 30'000);
+    // The others are there when this one is shown, and ask about it.
+    QTRY_VERIFY_WITH_TIMEOUT(window.said().contains(QStringLiteral("2 other trees")), 30'000);
+    window.press(QStringLiteral("Show"));
+    QTRY_VERIFY_WITH_TIMEOUT(offered(window).contains(QStringLiteral("A tree that was never saved")), 30'000);
     answer(QMessageBox::Save);
-    window.press(QStringLiteral("Bring Back"));
+    press(window, QStringLiteral("Bring Back"));
     QTRY_VERIFY_WITH_TIMEOUT(window.document.tree() == unnamed, 30'000);
     const Result<Project> saved = loadProject(path("elm.espalier"));
     QVERIFY(saved);
     QVERIFY(saved->tree == elm);
 
-    QTRY_VERIFY_WITH_TIMEOUT(asks(window, QStringLiteral("oak.espalier")), 30'000);
-    window.press(QStringLiteral("Discard"));
-    QTest::qWait(100);
-    QVERIFY(window.notice.isHidden());
+    QTRY_VERIFY_WITH_TIMEOUT(window.said().contains(QStringLiteral("Another tree")), 30'000);
+    window.files->offerRecovery(Recovery::Occasion::Asked);
+    QTRY_VERIFY_WITH_TIMEOUT(offered(window).contains(QStringLiteral("oak.espalier")), 30'000);
+    press(window, QStringLiteral("Discard oak.espalier"));
+    press(window, QStringLiteral("Done"));
+    QTRY_VERIFY(sheetOf(window) == nullptr);
     QVERIFY(!QFileInfo::exists(copyPath("a")));
     QVERIFY(Autosave::leftovers().empty());
+    window.files->offerRecovery(Recovery::Occasion::Asked);
+    QVERIFY2(window.said().contains(QStringLiteral("nothing to bring back")), qPrintable(window.said()));
 }
 
 void RecoveryTest::leftover_isOfferedBesideAFileThatIsOpened()
@@ -114,10 +149,10 @@ void RecoveryTest::leftover_isOfferedBesideAFileThatIsOpened()
     test::FilesWindow window;
     QSignalSpy opened(window.files.get(), &FileController::opened);
     window.files->openFile(path("oak.espalier"));
-    window.files->offerRecovery();
+    window.files->offerRecovery(Recovery::Occasion::Start);
     QVERIFY(opened.wait(30'000));
-    QTRY_VERIFY_WITH_TIMEOUT(asks(window, QStringLiteral("oak.espalier")), 30'000);
-    window.press(QStringLiteral("Bring Back"));
+    QTRY_VERIFY_WITH_TIMEOUT(offered(window).contains(QStringLiteral("oak.espalier")), 30'000);
+    press(window, QStringLiteral("Bring Back"));
     QTRY_VERIFY_WITH_TIMEOUT(window.document.tree() == lost, 30'000);
 }
 
@@ -125,10 +160,10 @@ void RecoveryTest::leftoverBroughtBack_staysUntilItHasACopyOfItsOwn()
 {
     const Tree lost = crash("a", {}, 3, 1);
     test::FilesWindow window;
-    window.files->offerRecovery();
-    QTRY_VERIFY_WITH_TIMEOUT(asks(window, QStringLiteral("never saved")), 30'000);
+    window.files->offerRecovery(Recovery::Occasion::Start);
+    QTRY_VERIFY_WITH_TIMEOUT(offered(window).contains(QStringLiteral("never saved")), 30'000);
     QSignalSpy written(&window.files->autosave(), &Autosave::written);
-    window.press(QStringLiteral("Bring Back"));
+    press(window, QStringLiteral("Bring Back"));
     QTRY_VERIFY_WITH_TIMEOUT(window.document.tree() == lost, 30'000);
     QVERIFY(written.count() > 0 || QFileInfo::exists(copyPath("a")));
     QVERIFY(written.count() > 0 || written.wait(30'000));
@@ -145,7 +180,7 @@ void RecoveryTest::damagedCopy_isKeptAsideAndNamedAtTheStart()
     put(copyPath("a").chopped(9) + QStringLiteral(".origin"), path("oak.espalier").toUtf8());
     crash("b", {}, 2, 30);
     test::FilesWindow window;
-    window.files->offerRecovery();
+    window.files->offerRecovery(Recovery::Occasion::Start);
     QTRY_VERIFY_WITH_TIMEOUT(window.notice.isWarning(), 30'000);
     QCOMPARE(keptAside().size(), 1);
     const QString kept = Autosave::folder() + QStringLiteral("/unreadable/") + keptAside().constFirst();
@@ -155,10 +190,9 @@ void RecoveryTest::damagedCopy_isKeptAsideAndNamedAtTheStart()
     QVERIFY2(window.said().contains(QStringLiteral("oak.espalier")), qPrintable(window.said()));
     QVERIFY(!QFileInfo::exists(copyPath("a")));
 
-    // The other copies are offered after that notice was closed.
-    window.press(QStringLiteral("Close"));
-    QTRY_VERIFY(asks(window, QStringLiteral("never saved")));
-    window.press(QStringLiteral("Later"));
+    // The others are offered all the same.
+    QTRY_VERIFY(offered(window).contains(QStringLiteral("never saved")));
+    press(window, QStringLiteral("Later"));
 }
 
 void RecoveryTest::copyDamagedSinceTheStart_isKeptAside()
@@ -167,10 +201,10 @@ void RecoveryTest::copyDamagedSinceTheStart_isKeptAside()
     test::FilesWindow window;
     window.grow(1);
     const Tree before = window.document.tree();
-    window.files->offerRecovery();
-    QTRY_VERIFY_WITH_TIMEOUT(asks(window, QStringLiteral("never saved")), 30'000);
+    window.files->offerRecovery(Recovery::Occasion::Start);
+    QTRY_VERIFY_WITH_TIMEOUT(offered(window).contains(QStringLiteral("never saved")), 30'000);
     put(copyPath("a"), "damaged by now");
-    window.press(QStringLiteral("Bring Back"));
+    press(window, QStringLiteral("Bring Back"));
     QTRY_VERIFY_WITH_TIMEOUT(window.notice.isWarning(), 30'000);
     QCOMPARE(keptAside().size(), 1);
     QCOMPARE(bytesOf(Autosave::folder() + QStringLiteral("/unreadable/") + keptAside().constFirst()),
@@ -184,28 +218,63 @@ void RecoveryTest::damagedCopies_doNotReplaceEachOther()
     for (const char* name : {"a", "b", "c"})
         put(copyPath(name), QByteArray("damaged ") + name);
     test::FilesWindow window;
-    window.files->offerRecovery();
+    window.files->offerRecovery(Recovery::Occasion::Start);
     QTRY_VERIFY_WITH_TIMEOUT(window.notice.isWarning(), 30'000);
     QCOMPARE(keptAside().size(), 3);
     for (const QString& name : keptAside())
         QVERIFY2(window.said().contains(name), qPrintable(window.said()));
 }
 
-void RecoveryTest::question_comesBackAfterAnotherNotice()
+void RecoveryTest::discarded_goOnlyWhenTheSheetCloses()
 {
     crash("a", {}, 2, 1);
+    crash("b", {}, 3, 2);
     test::FilesWindow window;
-    window.files->offerRecovery();
-    QTRY_VERIFY_WITH_TIMEOUT(asks(window, QStringLiteral("never saved")), 30'000);
-    window.notice.showWarning(QStringLiteral("Something else."));
-    QCoreApplication::processEvents();
-    QCOMPARE(window.said(), QStringLiteral("Something else."));
-    window.press(QStringLiteral("Close"));
-    QTRY_VERIFY(asks(window, QStringLiteral("never saved")));
-    window.press(QStringLiteral("Discard"));
-    QTest::qWait(50);
-    QVERIFY(window.notice.isHidden());
-    QVERIFY(copies().isEmpty());
+    window.files->offerRecovery(Recovery::Occasion::Start);
+    QTRY_VERIFY_WITH_TIMEOUT(offered(window).contains(QStringLiteral("never saved")), 30'000);
+    const auto discards = sheetOf(window)->findChildren<QPushButton*>();
+    QList<QPushButton*> discard;
+    for (QPushButton* button : discards) {
+        if (button->isCheckable())
+            discard.append(button);
+    }
+    QCOMPARE(discard.size(), 2);
+    discard[0]->click();
+    discard[1]->click();
+    QCOMPARE(discard[0]->text(), QStringLiteral("Keep"));
+    QCOMPARE(copies().size(), 2);
+    discard[1]->click();
+    press(window, QStringLiteral("Done"));
+    QTRY_COMPARE(copies(), QStringList{QStringLiteral("b.espalier")});
+    QTRY_COMPARE(Autosave::leftovers().size(), std::size_t{1});
+}
+
+void RecoveryTest::pictures_showTheFileAndWhatWasDoneSince()
+{
+    {
+        test::FilesWindow window;
+        window.grow(2);
+        save(window, path("oak.espalier"));
+    }
+    crash("a", path("oak.espalier"), 4, 1);
+    QVERIFY(saveProject(test::sampleProject(30), path("oak.espalier")));
+    test::FilesWindow window;
+    window.files->offerRecovery(Recovery::Occasion::Start);
+    const auto pictures = [&window] {
+        QList<QImage> images;
+        if (const RecoverySheet* sheet = sheetOf(window)) {
+            for (const QLabel* label : sheet->findChildren<QLabel*>()) {
+                if (const QPixmap pixmap = label->pixmap(); !pixmap.isNull())
+                    images.append(pixmap.toImage());
+            }
+        }
+        return images;
+    };
+    QTRY_COMPARE_WITH_TIMEOUT(pictures().size(), 2, 30'000);
+    QVERIFY(pictures()[0] != pictures()[1]);
+    QVERIFY2(offered(window).contains(QStringLiteral("another program")), qPrintable(offered(window)));
+    QCOMPARE(offered(window).count(QStringLiteral("internode")), 2);
+    press(window, QStringLiteral("Later"));
 }
 
 void RecoveryTest::later_keepsThemAll()
@@ -213,9 +282,9 @@ void RecoveryTest::later_keepsThemAll()
     crash("a", {}, 2, 1);
     crash("b", {}, 3, 2);
     test::FilesWindow window;
-    window.files->offerRecovery();
-    QTRY_VERIFY_WITH_TIMEOUT(asks(window, QStringLiteral("never saved")), 30'000);
-    window.press(QStringLiteral("Later"));
+    window.files->offerRecovery(Recovery::Occasion::Start);
+    QTRY_VERIFY_WITH_TIMEOUT(offered(window).contains(QStringLiteral("never saved")), 30'000);
+    press(window, QStringLiteral("Later"));
     QTest::qWait(50);
     QVERIFY(window.notice.isHidden());
     QTRY_COMPARE(Autosave::leftovers().size(), std::size_t{2});
@@ -226,8 +295,8 @@ void RecoveryTest::offered_areNotOfferedToAnotherProgram()
     crash("a", {}, 2, 1);
     {
         test::FilesWindow window;
-        window.files->offerRecovery();
-        QTRY_VERIFY_WITH_TIMEOUT(asks(window, QStringLiteral("never saved")), 30'000);
+        window.files->offerRecovery(Recovery::Occasion::Start);
+        QTRY_VERIFY_WITH_TIMEOUT(offered(window).contains(QStringLiteral("never saved")), 30'000);
         QVERIFY(Autosave::leftovers().empty());
     }
     QCOMPARE(Autosave::leftovers().size(), std::size_t{1});
@@ -244,9 +313,9 @@ void RecoveryTest::broughtBack_asksBeforeItReplacesAFileChangedSince()
     const QByteArray bytes = bytesOf(path("oak.espalier"));
 
     test::FilesWindow window;
-    window.files->offerRecovery();
-    QTRY_VERIFY_WITH_TIMEOUT(asks(window, QStringLiteral("oak.espalier")), 30'000);
-    window.press(QStringLiteral("Bring Back"));
+    window.files->offerRecovery(Recovery::Occasion::Start);
+    QTRY_VERIFY_WITH_TIMEOUT(offered(window).contains(QStringLiteral("oak.espalier")), 30'000);
+    press(window, QStringLiteral("Bring Back"));
     QTRY_VERIFY_WITH_TIMEOUT(window.document.tree() == lost, 30'000);
     answer(QMessageBox::Cancel);
     window.files->save();
@@ -284,9 +353,9 @@ void RecoveryTest::look_isBroughtBack()
         QTRY_COMPARE(copies().size(), 1);
     }
     test::FilesWindow window;
-    window.files->offerRecovery();
-    QTRY_VERIFY_WITH_TIMEOUT(asks(window, QStringLiteral("never saved")), 30'000);
-    window.press(QStringLiteral("Bring Back"));
+    window.files->offerRecovery(Recovery::Occasion::Start);
+    QTRY_VERIFY_WITH_TIMEOUT(offered(window).contains(QStringLiteral("never saved")), 30'000);
+    press(window, QStringLiteral("Bring Back"));
     QTRY_VERIFY_WITH_TIMEOUT(window.document.look() == look, 30'000);
     QVERIFY(window.files->file().isModified());
 }

@@ -379,7 +379,7 @@ void SafetyCopyTest::copyWithoutChanges_isNotOffered()
     QVERIFY(copy.copyProject(name, FileContent::of(name)));
     QCOMPARE(copies().size(), 1);
     test::FilesWindow window;
-    window.files->offerRecovery();
+    window.files->offerRecovery(Recovery::Occasion::Start);
     QTRY_VERIFY_WITH_TIMEOUT(copies().isEmpty(), 30'000);
     QTest::qWait(50);
     QVERIFY(window.notice.isHidden());
