@@ -4,6 +4,8 @@
 #include "model/base/Headroom.h"
 #include "model/base/Random.h"
 
+#include <algorithm>
+
 namespace espalier {
 
 namespace {
@@ -28,6 +30,19 @@ void writeCells(Columns& columns, const Changes& changes, Write&& write)
                 write(cells[change.row], change);
         },
         columns, changes);
+}
+
+/// Kept values that are compared with a new one: a value from before them is kept once more, so that an edit
+/// costs the same however many values there are.
+constexpr qsizetype kCompared = 256;
+
+/// The place of @p value among the last @p most of @p values; −1 if it is not there.
+template <class T>
+qsizetype lastPlace(const QList<T>& values, const T& value, qsizetype most)
+{
+    const auto end = values.crbegin() + std::min(most, values.size());
+    const auto last = std::find(values.crbegin(), end, value);
+    return last == end ? -1 : values.crend() - last - 1;
 }
 
 TreeRows& rowsOf(TreeDelta& delta)
@@ -254,9 +269,10 @@ TreeDelta deltaStartingAt(const Tree& tree)
 std::uint32_t keepParameters(TreeDelta& delta, const Tree& tree, const TreeParameters& parameters)
 {
     const QList<TreeParameters>& sets = tree.parameterSets();
-    if (const auto known = sets.lastIndexOf(parameters); known >= 0)
+    const bool hasRoom = sets.size() < kMostParameterSets;
+    if (const auto known = lastPlace(sets, parameters, hasRoom ? kCompared : sets.size()); known >= 0)
         return static_cast<std::uint32_t>(known);
-    Q_ASSERT(tree.hasRoomFor(parameters));
+    Q_ASSERT(hasRoom);
     rowsOf(delta).kept.parameters.append(parameters);
     return static_cast<std::uint32_t>(sets.size()) + delta.kept.parameters++;
 }
@@ -271,11 +287,11 @@ std::uint32_t keepLasso(TreeDelta& delta, const Tree& tree, const LassoStroke& s
 std::uint32_t keepProfile(TreeDelta& delta, const Tree& tree, const StrandProfile& profile)
 {
     Q_ASSERT(profileFault(profile).isEmpty());
-    if (const auto known = tree.profiles().lastIndexOf(profile); known >= 0)
+    if (const auto known = lastPlace(tree.profiles(), profile, kCompared); known >= 0)
         return static_cast<std::uint32_t>(known);
     const auto first = static_cast<std::uint32_t>(tree.profiles().size());
     if (delta.rows) {
-        if (const auto known = delta.rows->kept.profiles.lastIndexOf(profile); known >= 0)
+        if (const auto known = lastPlace(delta.rows->kept.profiles, profile, kCompared); known >= 0)
             return first + static_cast<std::uint32_t>(known);
     }
     rowsOf(delta).kept.profiles.append(profile);

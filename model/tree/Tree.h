@@ -128,13 +128,14 @@ private:
 
 /// An empty delta that starts at the present state of @p tree; the caller adds changes.
 TreeDelta deltaStartingAt(const Tree& tree);
-/// The index of a parameter set in @p tree, where @p delta starts. If the tree does not have the set, the set
-/// is added to the delta. Precondition: the tree has room for it (Tree::hasRoomFor).
+/// The index of a parameter set in @p tree, where @p delta starts. If the tree does not have the set, or has
+/// not had it among the last ones, the set is added to the delta. Precondition: the tree has room for it
+/// (Tree::hasRoomFor).
 std::uint32_t keepParameters(TreeDelta& delta, const Tree& tree, const TreeParameters& parameters);
 /// Adds @p stroke to @p delta and returns the index that it will have. Precondition: isLasso(stroke).
 std::uint32_t keepLasso(TreeDelta& delta, const Tree& tree, const LassoStroke& stroke);
-/// The index of a profile in @p tree, where @p delta starts; adds the profile to the delta if the tree does
-/// not have it. Precondition: profileFault(profile) is empty.
+/// The index of a profile in @p tree, where @p delta starts; adds the profile to the delta if it is not among
+/// the last ones. Precondition: profileFault(profile) is empty.
 std::uint32_t keepProfile(TreeDelta& delta, const Tree& tree, const StrandProfile& profile);
 
 /// Describes the first fault of @p content in a sentence without a full stop; empty if there is none. Checks
