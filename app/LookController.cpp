@@ -120,9 +120,13 @@ void LookController::putInForce(const Look& look)
         parameters.bark.roughnessImage = look.roughness;
     }
     ParameterGesture gesture(m_document);
-    gesture.tryOut(parameters, look.kind == LookKind::Leaf ? tr("Image of a Leaf") : tr("Image of Bark"));
+    const bool hadRoom =
+        gesture.tryOut(parameters, look.kind == LookKind::Leaf ? tr("Image of a Leaf") : tr("Image of Bark"));
     gesture.finish();
-    if (look.normal.isNull() && look.roughness.isNull())
+    if (!hadRoom)
+        m_notice.showWarning(
+            tr("This tree has had so many images that its file has no room for another one."));
+    else if (look.normal.isNull() && look.roughness.isNull())
         m_notice.finish();
     else
         m_notice.showInformation(tr("Maps found beside it are used, too."));

@@ -239,6 +239,12 @@ std::vector<InternodeId> ProfileController::stretchOfChosen(float most) const
     return stretch;
 }
 
+void ProfileController::tellRoom(bool hadRoom)
+{
+    if (!hadRoom)
+        m_panel.tell(tr("There is no room for more profiles."), true);
+}
+
 void ProfileController::edit(const StrandProfile& profile)
 {
     if (!m_chosen || m_isBusy())
@@ -248,7 +254,7 @@ void ProfileController::edit(const StrandProfile& profile)
     } else {
         const std::optional<std::uint32_t> node = nodeOfChosen();
         const float radius = node ? m_layouts->skeleton().nodes[*node].radius : 0.0F;
-        setProfile(m_document, stretchOfChosen(kStretchRadii * radius), profile);
+        tellRoom(setProfile(m_document, stretchOfChosen(kStretchRadii * radius), profile));
     }
     preview();
 }
@@ -320,11 +326,11 @@ void ProfileController::doSpan(InternodeId id)
         return;
     } else if (span == ProfilePanel::Span::Copy) {
         // The command may move the kept profiles.
-        setProfile(m_document, path, StrandProfile(*profile));
+        tellRoom(setProfile(m_document, path, StrandProfile(*profile)));
     } else if (const StrandProfile* const other = tree.profileOf(id); other == nullptr) {
         m_panel.tell(tr("The other place has no profile to blend with."), true);
     } else {
-        blendProfiles(m_document, start, id, StrandProfile(*profile), StrandProfile(*other));
+        tellRoom(blendProfiles(m_document, start, id, StrandProfile(*profile), StrandProfile(*other)));
     }
     m_chosen = start;
     show(true);

@@ -48,6 +48,8 @@ private:
     /// @p most, m.
     std::vector<InternodeId> stretchOfChosen(float most) const;
     void edit(const StrandProfile& profile);
+    /// @p hadRoom: whether the document had room for what was asked for.
+    void tellRoom(bool hadRoom);
     void step(bool up);
     void ask(ProfilePanel::Span span);
     /// Copies or blends between the node at which the user asked for it and @p id.

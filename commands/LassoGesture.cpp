@@ -53,6 +53,8 @@ LassoGesture::Begun LassoGesture::fill(TreeDocument& document, const LassoStroke
         if (const Result<Envelope> alone = Envelope::fromStrokes(std::span(&kept, 1)); !alone)
             return alone.error();
     }
+    if (!document.tree().hasRoomForLassos(1))
+        return Error{Error::Kind::Input, LassoGestureText::tr("There is no room for more lassos.")};
     strokes.push_back(kept);
     Result<EnvelopeSet> envelopes = EnvelopeSet::fromStrokes(strokes);
     if (!envelopes)
@@ -77,6 +79,8 @@ LassoGesture::Begun LassoGesture::fillAll(TreeDocument& document, const std::vec
     document.interruptEdit();
     if (!std::ranges::all_of(strokes, isLasso))
         return Error{Error::Kind::Input, LassoGestureText::tr("The lasso's drawing plane is not valid.")};
+    if (!document.tree().hasRoomForLassos(strokes.size()))
+        return Error{Error::Kind::Input, LassoGestureText::tr("There is no room for more lassos.")};
     if (!document.tree().hasRoomFor(parameters))
         return Error{Error::Kind::Input, LassoGestureText::tr("There is no room for more parameter sets.")};
     return fillAll(document, LassoGestureText::tr("Lasso"), strokes, parameters, competitors, [](Edit&) {});

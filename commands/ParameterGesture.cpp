@@ -15,10 +15,12 @@ std::unique_ptr<Edit> ParameterGesture::takeEdit()
     return std::make_unique<Edit>(m_document, Edit::Interrupted(), Edit::Kind::ParameterTrial);
 }
 
-void ParameterGesture::tryOut(const TreeParameters& parameters, const QString& text)
+bool ParameterGesture::tryOut(const TreeParameters& parameters, const QString& text)
 {
-    if (parameters == m_document.parameters() || !m_document.tree().hasRoomFor(parameters))
-        return;
+    if (parameters == m_document.parameters())
+        return true;
+    if (!m_document.tree().hasRoomFor(parameters))
+        return false;
     const std::unique_ptr<Edit> edit = takeEdit();
     edit->takeBack();
     const Tree& tree = m_document.tree();
@@ -29,6 +31,7 @@ void ParameterGesture::tryOut(const TreeParameters& parameters, const QString& t
     commitRecorded(*edit, text, [&] { return SetParametersOperation{parameters}; });
     if (isTried)
         m_revision = m_document.revision();
+    return true;
 }
 
 void ParameterGesture::cancel()

@@ -18,8 +18,8 @@ public:
     ParameterGesture& operator=(const ParameterGesture&) = delete;
 
     /// Puts @p parameters in force, in place of those that the gesture tried before, as an undo step named
-    /// @p text. Does nothing if the document has no room for another parameter set.
-    void tryOut(const TreeParameters& parameters, const QString& text);
+    /// @p text. Returns false, and does nothing, if the document has no room for them.
+    bool tryOut(const TreeParameters& parameters, const QString& text);
     /// Ends the gesture: the next trial begins another undo step.
     void finish() { m_revision.reset(); }
     /// Reverts the last trial and removes its undo step, if the document has not changed since.

@@ -71,10 +71,12 @@ std::vector<InternodeId> branchBetween(const Tree& tree, InternodeId first, Inte
     return path;
 }
 
-void setProfile(TreeDocument& document, std::span<const InternodeId> internodes, const StrandProfile& profile)
+bool setProfile(TreeDocument& document, std::span<const InternodeId> internodes, const StrandProfile& profile)
 {
     Q_ASSERT(profileFault(profile).isEmpty());
     Edit edit(document);
+    if (!document.tree().hasRoomForProfiles(1))
+        return false;
     const StrandProfile kept = forRecipes(profile);
     const std::vector<InternodeId> ids = living(document.tree(), internodes);
     SetProfileOperation operation = operationOn(document, ids);
@@ -85,9 +87,10 @@ void setProfile(TreeDocument& document, std::span<const InternodeId> internodes,
     if (!delta.sparse.profile.empty())
         edit.apply(std::move(delta));
     commitRecorded(edit, QCoreApplication::translate("Commands", "Draw Profile"), [&] { return operation; });
+    return true;
 }
 
-void blendProfiles(TreeDocument& document, InternodeId first, InternodeId last, const StrandProfile& profile,
+bool blendProfiles(TreeDocument& document, InternodeId first, InternodeId last, const StrandProfile& profile,
                    const StrandProfile& lastProfile)
 {
     Q_ASSERT(profileFault(profile).isEmpty() && profileFault(lastProfile).isEmpty());
@@ -95,7 +98,9 @@ void blendProfiles(TreeDocument& document, InternodeId first, InternodeId last, 
     const Tree& tree = document.tree();
     const std::vector<InternodeId> path = branchBetween(tree, first, last);
     if (path.empty() || path.size() > static_cast<std::size_t>(SetProfileOperation::kMostNodes))
-        return;
+        return true;
+    if (!tree.hasRoomForProfiles(path.size()))
+        return false;
     const StrandProfile from = forRecipes(profile);
     const StrandProfile to = forRecipes(lastProfile);
     SetProfileOperation operation = operationOn(document, std::span(&first, 1));
@@ -120,6 +125,7 @@ void blendProfiles(TreeDocument& document, InternodeId first, InternodeId last, 
         edit.apply(std::move(delta));
     commitRecorded(edit, QCoreApplication::translate("Commands", "Blend Profiles"),
                    [&] { return operation; });
+    return true;
 }
 
 void clearProfiles(TreeDocument& document, std::span<const InternodeId> internodes)

@@ -108,6 +108,7 @@ void ParameterEditor::putInForce(const QString& text)
     if (m_shown != m_document.parameters())
         hold(true);
     const QScopedValueRollback quiet(m_isOwnChange, true);
+    // Without room, finish() shows what is in force.
     m_gesture.tryOut(m_shown, text);
 }
 

@@ -1464,6 +1464,10 @@ geschrieben werden konnte.
         <source>There is no room for more parameter sets.</source>
         <translation>Für weitere Parametersätze ist kein Platz.</translation>
     </message>
+    <message>
+        <source>There is no room for more lassos.</source>
+        <translation>Für weitere Lassos ist kein Platz.</translation>
+    </message>
 </context>
 <context>
     <name>LassoTool</name>
@@ -3524,6 +3528,10 @@ geschrieben werden konnte.
         <source>growth stopped at %1 internodes, since the memory of this machine may not hold more</source>
         <translation>das Wachstum endete bei %1 Internodien, da der Speicher dieses Rechners vielleicht nicht mehr fasst</translation>
     </message>
+    <message>
+        <source>there is no room for more profiles</source>
+        <translation>für weitere Profile ist kein Platz</translation>
+    </message>
 </context>
 <context>
     <name>RecipeTool</name>
@@ -4776,6 +4784,10 @@ geschrieben werden konnte.
         <source>Reference Picture</source>
         <translation>Vorlagenbild</translation>
     </message>
+    <message>
+        <source>This tree has had so many images that its file has no room for another one.</source>
+        <translation>Dieser Baum hatte schon so viele Bilder, dass seine Datei keinen Platz für ein weiteres hat.</translation>
+    </message>
 </context>
 <context>
     <name>espalier::MainWindow</name>
@@ -5010,6 +5022,10 @@ geschrieben werden konnte.
     <message>
         <source>The other place has no profile to blend with.</source>
         <translation>Die andere Stelle hat kein Profil, mit dem sich überblenden ließe.</translation>
+    </message>
+    <message>
+        <source>There is no room for more profiles.</source>
+        <translation>Für weitere Profile ist kein Platz.</translation>
     </message>
 </context>
 <context>

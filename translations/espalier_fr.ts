@@ -1463,6 +1463,10 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <source>There is no room for more parameter sets.</source>
         <translation>Il n’y a plus de place pour d’autres jeux de paramètres.</translation>
     </message>
+    <message>
+        <source>There is no room for more lassos.</source>
+        <translation>Il n’y a plus de place pour d’autres lassos.</translation>
+    </message>
 </context>
 <context>
     <name>LassoTool</name>
@@ -3523,6 +3527,10 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <source>growth stopped at %1 internodes, since the memory of this machine may not hold more</source>
         <translation>la croissance s’est arrêtée à %1 entre-nœuds, car la mémoire de cette machine ne suffira peut-être pas pour davantage</translation>
     </message>
+    <message>
+        <source>there is no room for more profiles</source>
+        <translation>il n’y a plus de place pour d’autres profils</translation>
+    </message>
 </context>
 <context>
     <name>RecipeTool</name>
@@ -4775,6 +4783,10 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <source>Reference Picture</source>
         <translation>Image de référence</translation>
     </message>
+    <message>
+        <source>This tree has had so many images that its file has no room for another one.</source>
+        <translation>Cet arbre a eu tant d’images que son fichier n’a plus de place pour une autre.</translation>
+    </message>
 </context>
 <context>
     <name>espalier::MainWindow</name>
@@ -5009,6 +5021,10 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
     <message>
         <source>The other place has no profile to blend with.</source>
         <translation>L’autre endroit n’a pas de profil vers lequel interpoler.</translation>
+    </message>
+    <message>
+        <source>There is no room for more profiles.</source>
+        <translation>Il n’y a plus de place pour d’autres profils.</translation>
     </message>
 </context>
 <context>

@@ -1456,6 +1456,10 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <source>There is no room for more parameter sets.</source>
         <translation>これ以上パラメーターの組を加える余地がありません。</translation>
     </message>
+    <message>
+        <source>There is no room for more lassos.</source>
+        <translation>これ以上の投げ縄は入りません。</translation>
+    </message>
 </context>
 <context>
     <name>LassoTool</name>
@@ -3516,6 +3520,10 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <source>growth stopped at %1 internodes, since the memory of this machine may not hold more</source>
         <translation>このコンピューターのメモリに入らないかもしれないため、成長は %1 節間で止まりました</translation>
     </message>
+    <message>
+        <source>there is no room for more profiles</source>
+        <translation>これ以上の断面形は入りません</translation>
+    </message>
 </context>
 <context>
     <name>RecipeTool</name>
@@ -4768,6 +4776,10 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <source>Reference Picture</source>
         <translation>下絵</translation>
     </message>
+    <message>
+        <source>This tree has had so many images that its file has no room for another one.</source>
+        <translation>この木はすでに多くの画像を使ったため、ファイルにはもう画像が入りません。</translation>
+    </message>
 </context>
 <context>
     <name>espalier::MainWindow</name>
@@ -5002,6 +5014,10 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
     <message>
         <source>The other place has no profile to blend with.</source>
         <translation>もう一方の場所に、補間する断面形がありません。</translation>
+    </message>
+    <message>
+        <source>There is no room for more profiles.</source>
+        <translation>これ以上の断面形は入りません。</translation>
     </message>
 </context>
 <context>

@@ -1465,6 +1465,10 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <source>There is no room for more parameter sets.</source>
         <translation>Nie ma miejsca na więcej zestawów parametrów.</translation>
     </message>
+    <message>
+        <source>There is no room for more lassos.</source>
+        <translation>Nie ma miejsca na więcej lass.</translation>
+    </message>
 </context>
 <context>
     <name>LassoTool</name>
@@ -3525,6 +3529,10 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <source>growth stopped at %1 internodes, since the memory of this machine may not hold more</source>
         <translation>wzrost zatrzymał się na %1 międzywęźlach, bo pamięć tego komputera może nie pomieścić więcej</translation>
     </message>
+    <message>
+        <source>there is no room for more profiles</source>
+        <translation>nie ma miejsca na więcej profili</translation>
+    </message>
 </context>
 <context>
     <name>RecipeTool</name>
@@ -4777,6 +4785,10 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <source>Reference Picture</source>
         <translation>Obraz referencyjny</translation>
     </message>
+    <message>
+        <source>This tree has had so many images that its file has no room for another one.</source>
+        <translation>To drzewo miało już tyle obrazów, że w jego pliku nie ma miejsca na następny.</translation>
+    </message>
 </context>
 <context>
     <name>espalier::MainWindow</name>
@@ -5011,6 +5023,10 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
     <message>
         <source>The other place has no profile to blend with.</source>
         <translation>W drugim miejscu nie ma profilu, do którego można by interpolować.</translation>
+    </message>
+    <message>
+        <source>There is no room for more profiles.</source>
+        <translation>Nie ma miejsca na więcej profili.</translation>
     </message>
 </context>
 <context>

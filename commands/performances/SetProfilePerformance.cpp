@@ -5,6 +5,15 @@
 
 namespace espalier {
 
+namespace {
+
+QString noRoomForProfiles()
+{
+    return RecipeText::tr("there is no room for more profiles");
+}
+
+} // namespace
+
 QString SetProfileOperation::perform(TreeDocument& document) const
 {
     std::vector<InternodeId> ids;
@@ -26,15 +35,16 @@ QString SetProfileOperation::perform(TreeDocument& document) const
                 .arg(ids.front())
                 .arg(*end);
         if (profile && toProfile) {
-            blendProfiles(document, ids.front(), *end, *profile, *toProfile);
-            return {};
+            return blendProfiles(document, ids.front(), *end, *profile, *toProfile) ? QString()
+                                                                                    : noRoomForProfiles();
         }
         ids = path;
     }
     if (ids.empty())
         return joinedFaults(faults);
     if (profile) {
-        setProfile(document, ids, *profile);
+        if (!setProfile(document, ids, *profile))
+            faults.append(noRoomForProfiles());
     } else {
         const bool hasSome = std::ranges::any_of(
             ids, [&](InternodeId id) { return document.tree().profileOf(id) != nullptr; });

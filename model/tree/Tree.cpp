@@ -4,6 +4,8 @@
 #include "model/base/Headroom.h"
 #include "model/base/Random.h"
 
+#include <QSet>
+
 #include <algorithm>
 
 namespace espalier {
@@ -105,9 +107,40 @@ Result<Tree> Tree::fromContent(TreeContent content)
     return tree;
 }
 
-bool Tree::hasRoomFor(const TreeParameters& parameters) const
+bool Tree::hasRoomFor(const TreeParameters& parameters, qsizetype mostImageBytes) const
 {
-    return parameterSets().size() < kMostParameterSets || parameterSets().contains(parameters);
+    if (parameterSets().size() >= kMostParameterSets && !parameterSets().contains(parameters))
+        return false;
+    // Seldom do parameters bring another image.
+    QSet<QString> known;
+    const auto bytesOfNew = [&known](const TreeParameters& set) {
+        qsizetype bytes = 0;
+        visitImages(set, [&](const char*, const ImageAsset& image) {
+            if (!image.isNull() && !known.contains(image.hash())) {
+                known.insert(image.hash());
+                bytes += image.file().size();
+            }
+        });
+        return bytes;
+    };
+    bytesOfNew(this->parameters());
+    if (bytesOfNew(parameters) == 0)
+        return true;
+    known.clear();
+    qsizetype bytes = bytesOfNew(parameters);
+    for (const TreeParameters& set : parameterSets())
+        bytes += bytesOfNew(set);
+    return bytes <= mostImageBytes;
+}
+
+bool Tree::hasRoomForLassos(std::size_t count) const
+{
+    return static_cast<qsizetype>(count) <= kMostLassos - lassos().size();
+}
+
+bool Tree::hasRoomForProfiles(std::size_t count) const
+{
+    return static_cast<qsizetype>(count) <= kMostProfiles - profiles().size();
 }
 
 std::vector<LassoStroke> Tree::lassosInForce() const

@@ -83,8 +83,12 @@ public:
         return parameterSets()[columns().parameterSet[id]];
     }
     /// Whether a delta may put @p parameters in force: the tree has this set already, or has fewer than
-    /// kMostParameterSets.
-    bool hasRoomFor(const TreeParameters& parameters) const;
+    /// kMostParameterSets, and all images together stay within @p mostImageBytes. Otherwise no file could
+    /// hold the tree.
+    bool hasRoomFor(const TreeParameters& parameters, qsizetype mostImageBytes = kMostImageBytes) const;
+    /// Whether a delta may bring so many more lassos, or profiles.
+    bool hasRoomForLassos(std::size_t count) const;
+    bool hasRoomForProfiles(std::size_t count) const;
 
     /// All lasso strokes that were ever in force.
     const QList<LassoStroke>& lassos() const { return m_content.kept.lassos; }

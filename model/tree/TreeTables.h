@@ -24,6 +24,11 @@ inline constexpr float kMostAddedVigour = 10'000.0F;
 inline constexpr float kGreatestClearLength = 1'000.0F;
 /// The greatest number of different parameter sets of one tree; columns refer to them with 16 bits.
 inline constexpr qsizetype kMostParameterSets = 65'535;
+// What a tree keeps for undo counts, too.
+inline constexpr qsizetype kMostLassos = 100'000;
+inline constexpr qsizetype kMostProfiles = 100'000;
+/// Of the files of all different images in parameter sets, bytes; beside them, a scene has one picture.
+inline constexpr qsizetype kMostImageBytes = qsizetype{448} << 20;
 
 /// The kind of a placed leaf.
 enum class LeafKind : std::uint8_t { Leaf, Flower, Fruit };

@@ -21,6 +21,7 @@ class LassoGestureTest : public QObject {
 private Q_SLOTS:
     void lasso_isOneUndoStep_undoneAndRedoneToTheBit();
     void cancelledLasso_leavesNoTrace();
+    void fullDocument_refusesMore();
     void finishedEarly_keepsWhatGrew();
     void seedlingBelow_reachesTheEnvelope();
     void shapes_areFilledAndKept_data();
@@ -101,6 +102,20 @@ void LassoGestureTest::lasso_isOneUndoStep_undoneAndRedoneToTheBit()
         document.undoStack().undo();
         QVERIFY(DocumentState(document) == undone);
     }
+}
+
+void LassoGestureTest::fullDocument_refusesMore()
+{
+    TreeContent content = Tree().content();
+    content.kept.lassos.resize(kMostLassos, strokeOf(heart(), 3.0F));
+    TreeDocument document;
+    document.reset(*Tree::fromContent(content), Journal());
+    const LassoGesture::Begun begun = LassoGesture::fill(document, strokeOf(heart(), 3.0F));
+    QVERIFY(!begun);
+    QVERIFY2(begun.error().message.contains(QStringLiteral("more lassos")),
+             qPrintable(begun.error().message));
+    QVERIFY(!LassoGesture::fillAll(document, {strokeOf(heart(), 3.0F)}, document.parameters()));
+    QVERIFY(document.edit() == nullptr);
 }
 
 void LassoGestureTest::cancelledLasso_leavesNoTrace()

@@ -25,6 +25,7 @@ private Q_SLOTS:
     void profile_isCopiedToAllNodes();
     void sameProfile_isNoCommand();
     void samePofilesAreKeptOnce();
+    void fullDocument_refusesMore();
     void blend_givesTheNodesBetweenProfiles_undoneAndRedoneToTheBit();
     void blend_downward_isTheSameAsUpward();
     void blend_withoutABranchBetween_doesNothing();
@@ -111,6 +112,20 @@ void ProfileEditsTest::sameProfile_isNoCommand()
     const DocumentState before(document);
     setProfile(document, path, profileOf(ProfileShape::Ring));
     setProfile(document, {}, profileOf(ProfileShape::Round));
+    QCOMPARE(differenceFrom(before, document), QString());
+}
+
+void ProfileEditsTest::fullDocument_refusesMore()
+{
+    TreeContent content = Tree().content();
+    content.kept.profiles.resize(kMostProfiles - 1, profileOf(ProfileShape::Round));
+    TreeDocument document;
+    document.reset(*Tree::fromContent(content), Journal());
+    const std::vector<InternodeId> path{0};
+    QVERIFY(setProfile(document, path, profileOf(ProfileShape::Ring)));
+    const DocumentState before(document);
+    QVERIFY(!setProfile(document, path, profileOf(ProfileShape::Round)));
+    QVERIFY(!blendProfiles(document, 0, 0, profileOf(ProfileShape::Round), profileOf(ProfileShape::Ring)));
     QCOMPARE(differenceFrom(before, document), QString());
 }
 

@@ -23,6 +23,7 @@ private Q_SLOTS:
     void undoneRows_leaveNoTrace();
     void keptParameters_areKnownOnce_andGoWhenTheirDeltaIsReverted();
     void manyParameterSets_areRefusedBeforeTheirNumberOverflows();
+    void imagesOfAllTime_haveALimit();
     void placedLeaves_comeAndGoWithTheirDelta();
     void attachmentAlong_placesTheBaseOnTheParent();
     void severalRoots_standWhereTheyAre();
@@ -185,6 +186,28 @@ void TreeTest::manyParameterSets_areRefusedBeforeTheirNumberOverflows()
     const Result<Tree> tooMany = Tree::fromContent(content);
     QVERIFY(!tooMany);
     QVERIFY(tooMany.error().message.contains(QStringLiteral("parameter sets")));
+}
+
+void TreeTest::imagesOfAllTime_haveALimit()
+{
+    constexpr qsizetype kLimit = 250;
+    const auto withImage = [](char byte) {
+        TreeParameters parameters;
+        parameters.leaves.image = ImageAsset(QByteArray(100, byte), {});
+        return parameters;
+    };
+    TreeBuilder builder;
+    for (const char byte : {'a', 'b'}) {
+        QVERIFY(builder.tree.hasRoomFor(withImage(byte), kLimit));
+        builder.apply(parameterChange(builder.tree, withImage(byte)));
+    }
+    QVERIFY(!builder.tree.hasRoomFor(withImage('c'), kLimit));
+    QVERIFY(builder.tree.hasRoomFor(withImage('a'), kLimit));
+    TreeParameters other = withImage('b');
+    other.growth.shedding = 0.3;
+    QVERIFY(builder.tree.hasRoomFor(other, kLimit));
+    builder.revert();
+    QVERIFY(builder.tree.hasRoomFor(withImage('c'), kLimit));
 }
 
 void TreeTest::placedLeaves_comeAndGoWithTheirDelta()
