@@ -25,10 +25,7 @@ struct HistoryLimit::Outcome {
 };
 
 HistoryLimit::HistoryLimit(TreeDocument& document, std::function<bool()> isBusy, QObject* parent)
-    : QObject(parent),
-      m_document(document),
-      m_isBusy(std::move(isBusy)),
-      m_most(std::size_t{1'000'000} * static_cast<std::size_t>(Preferences().undoMemory))
+    : QObject(parent), m_document(document), m_isBusy(std::move(isBusy)), m_most(Preferences().undoBytes())
 {
     m_timer.setSingleShot(true);
     connect(&m_timer, &QTimer::timeout, this, &HistoryLimit::look);
@@ -98,14 +95,17 @@ void HistoryLimit::take(Outcome outcome)
 {
     if (!outcome.history)
         return;
-    const int steps = outcome.history->steps;
     if (!isAtRest() || outcome.history->revision != m_document.revision()) {
         m_isDue = true;
         return;
     }
     Q_EMIT scenePrepared(outcome.scene);
-    if (m_document.shorten(std::move(*outcome.history)))
-        Q_EMIT shortened(steps);
+    if (!m_document.shorten(*outcome.history))
+        return;
+    // To free what there was takes long for a large tree.
+    backgroundThreads().start(
+        [before = std::make_shared<Outcome>(std::move(outcome))]() mutable { before.reset(); });
+    Q_EMIT shortened();
 }
 
 } // namespace espalier

@@ -31,8 +31,8 @@ public:
 Q_SIGNALS:
     /// The mesh of the tree under the ids that it is going to get.
     void scenePrepared(const std::shared_ptr<espalier::PreparedScene>& scene);
-    /// So many undo steps are gone; 0 if only moments before all of them are.
-    void shortened(int steps);
+    /// The oldest part of the history is gone.
+    void shortened();
 
 private:
     struct Outcome;

@@ -288,7 +288,7 @@ void MainWindow::apply(const Preferences& preferences)
     if (preferences.language != before.language || preferences.units != before.units)
         QMetaObject::invokeMethod(this, &MainWindow::remakeInterface, Qt::QueuedConnection);
     suitHand();
-    m_historyLimit->setMost(std::size_t{1'000'000} * static_cast<std::size_t>(preferences.undoMemory));
+    m_historyLimit->setMost(preferences.undoBytes());
     if (preferences.libraryFolder != before.libraryFolder)
         m_library->setFolder(m_settings.libraryFolder());
 }

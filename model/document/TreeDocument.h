@@ -109,8 +109,9 @@ public:
 
     /// Forgets the oldest part of the history, to free its memory: undo and time go back less far from now
     /// on. Returns false, and does nothing, if the tree has changed since @p shortened was made, or if an
-    /// edit is under way.
-    bool shorten(ShortenedHistory shortened);
+    /// edit is under way. Otherwise @p shortened has the tree and the history from before then, so that a
+    /// worker thread can free them.
+    bool shorten(ShortenedHistory& shortened);
 
     /// The edit that is under way, or null.
     const Edit* edit() const { return m_edit; }

@@ -65,7 +65,7 @@ void TreeDocument::exchange(PreparedTree prepared, const QString& text)
     m_undoStack.push(new EditCommand(*this, text, std::move(content)));
 }
 
-bool TreeDocument::shorten(ShortenedHistory shortened)
+bool TreeDocument::shorten(ShortenedHistory& shortened)
 {
     if (m_edit || shortened.revision != m_revision)
         return false;

@@ -42,6 +42,8 @@ struct Preferences {
     QString language{}; ///< One of Preferences::languages(); empty for the system's language
     Stabilising stabilising{};
 
+    std::size_t undoBytes() const { return std::size_t{1'000'000} * static_cast<std::size_t>(undoMemory); }
+
     /// Codes of the languages that the program has texts in, such as "de"; English first.
     static QStringList languages();
 

@@ -287,7 +287,7 @@ QString Soak::shorten()
     const Tree tree = withoutPast(m_document);
     const std::size_t dropped = shortened->deltas;
     const int steps = shortened->steps;
-    if (!m_document.shorten(std::move(*shortened)))
+    if (!m_document.shorten(*shortened))
         return QStringLiteral("the history is not shortened");
     m_dropped.emplace(m_milestones.size(), dropped);
     m_restored = std::max(0, m_restored - steps);
@@ -337,7 +337,7 @@ QString Soak::replay()
         }
         if (const auto dropped = m_dropped.find(i + 1); dropped != m_dropped.end()) {
             std::optional<ShortenedHistory> shortened = HistorySnapshot(replayed).without(dropped->second);
-            if (!shortened || !replayed.shorten(std::move(*shortened)))
+            if (!shortened || !replayed.shorten(*shortened))
                 return QStringLiteral("the replay's history is not shortened after operation %1").arg(i);
         }
     }

@@ -64,7 +64,7 @@ void HistorySnapshotTest::workOn(TreeDocument& document, int turns)
 bool HistorySnapshotTest::shorten(TreeDocument& document, std::size_t most)
 {
     std::optional<ShortenedHistory> shortened = HistorySnapshot(document).shortenedTo(most);
-    return shortened && document.shorten(std::move(*shortened));
+    return shortened && document.shorten(*shortened);
 }
 
 void HistorySnapshotTest::oldestSteps_goAndTheTreeStays()
@@ -191,13 +191,13 @@ void HistorySnapshotTest::changedMeanwhile_isNotShortened()
     QVERIFY(early);
     grow(document, 1);
     const DocumentState state(document);
-    QVERIFY(!document.shorten(std::move(*early)));
+    QVERIFY(!document.shorten(*early));
     QCOMPARE(differenceFrom(state, document), QString());
 
     std::optional<ShortenedHistory> late = HistorySnapshot(document).shortenedTo(1);
     QVERIFY(late);
     const Edit edit(document);
-    QVERIFY(!document.shorten(std::move(*late)));
+    QVERIFY(!document.shorten(*late));
 }
 
 void HistorySnapshotTest::exchangedTree_goesWithItsStep()
