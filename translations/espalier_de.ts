@@ -3197,6 +3197,10 @@ geschrieben werden konnte.
         <source>there is no such file</source>
         <translation>diese Datei gibt es nicht</translation>
     </message>
+    <message>
+        <source>some of what other programs have put into it cannot be kept</source>
+        <translation>manches, was andere Programme hineingelegt haben, lässt sich nicht behalten</translation>
+    </message>
 </context>
 <context>
     <name>Recipe</name>

@@ -3196,6 +3196,10 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <source>there is no such file</source>
         <translation>ce fichier n’existe pas</translation>
     </message>
+    <message>
+        <source>some of what other programs have put into it cannot be kept</source>
+        <translation>une partie de ce que d’autres programmes y ont mis ne peut pas être gardée</translation>
+    </message>
 </context>
 <context>
     <name>Recipe</name>

@@ -3189,6 +3189,10 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <source>there is no such file</source>
         <translation>このファイルはありません</translation>
     </message>
+    <message>
+        <source>some of what other programs have put into it cannot be kept</source>
+        <translation>ほかのプログラムが入れたものの一部は保持できません</translation>
+    </message>
 </context>
 <context>
     <name>Recipe</name>

@@ -3198,6 +3198,10 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <source>there is no such file</source>
         <translation>nie ma takiego pliku</translation>
     </message>
+    <message>
+        <source>some of what other programs have put into it cannot be kept</source>
+        <translation>części tego, co włożyły do niego inne programy, nie można zachować</translation>
+    </message>
 </context>
 <context>
     <name>Recipe</name>

@@ -424,10 +424,13 @@ Result<void> exportProject(const CommandLine& line)
     if (line.overrides.isEmpty() && !line.variation)
         return writeOutputs(*project, line.outputs);
     const QString name = project->name;
+    const ForeignParts foreign = project->foreign;
     TreeDocument document;
     if (const Result<void> shown = showChanged(document, std::move(*project), line); !shown)
         return shown.error();
-    return writeOutputs(projectOf(document, name), line.outputs);
+    Project changed = projectOf(document, name);
+    changed.foreign = foreign;
+    return writeOutputs(changed, line.outputs);
 }
 
 Result<void> render(const CommandLine& line)

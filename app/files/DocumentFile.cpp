@@ -62,6 +62,7 @@ void DocumentFile::setLookOfNewTrees(const SceneLook& look)
 void DocumentFile::startUnsaved(const QString& displayName)
 {
     m_savedLook = m_newLook;
+    m_foreign = {};
     m_document.setLook(m_newLook);
     forgetFile(displayName);
 }
@@ -111,7 +112,8 @@ Result<DocumentFile::Read> DocumentFile::readCopy(const SafetyCopy& copy,
 DocumentFile::Read DocumentFile::prepare(Project project, const std::atomic<bool>& isCancelled)
 {
     const QString warning = project.warning;
-    Read read{{}, prepared(std::move(project)), nullptr, warning, {}, {}};
+    ForeignParts foreign = std::move(project.foreign);
+    Read read{{}, prepared(std::move(project)), nullptr, warning, std::move(foreign), {}, {}};
     if (isCancelled)
         return read;
     leavingOneThread([&read] {
@@ -125,6 +127,7 @@ DocumentFile::Read DocumentFile::prepare(Project project, const std::atomic<bool
 void DocumentFile::show(Read read)
 {
     showTree(std::move(read.tree));
+    m_foreign = std::move(read.foreign);
     m_content = read.content;
     m_stamp = read.stamp;
     setFile(read.fileName, QFileInfo(read.fileName).fileName());
@@ -134,6 +137,7 @@ void DocumentFile::recover(Read read, const QString& fileName, const FileContent
 {
     const QString name = fileName.isEmpty() ? QString() : QFileInfo(fileName).fileName();
     showTree(std::move(read.tree));
+    m_foreign = std::move(read.foreign);
     m_document.undoStack().resetClean();
     m_content = content;
     m_stamp = FileStamp::of(fileName);
@@ -143,7 +147,7 @@ void DocumentFile::recover(Read read, const QString& fileName, const FileContent
 DocumentFile::Aside DocumentFile::setAside()
 {
     waitForSaving();
-    Aside aside{{}, m_savedLook, m_fileName, m_displayName, m_content, m_stamp};
+    Aside aside{{}, m_savedLook, m_foreign, m_fileName, m_displayName, m_content, m_stamp};
     aside.document = AsideDocument::takenFrom(m_document);
     startUnsaved({});
     return aside;
@@ -152,6 +156,7 @@ DocumentFile::Aside DocumentFile::setAside()
 void DocumentFile::bringBack(Aside aside)
 {
     m_savedLook = aside.savedLook;
+    m_foreign = std::move(aside.foreign);
     aside.document.bringBackTo(m_document);
     m_content = aside.content;
     m_stamp = aside.stamp;
@@ -179,7 +184,9 @@ void DocumentFile::fileLost()
 
 Project DocumentFile::snapshot() const
 {
-    return projectOf(m_document, QFileInfo(m_displayName).completeBaseName());
+    Project project = projectOf(m_document, QFileInfo(m_displayName).completeBaseName());
+    project.foreign = m_foreign;
+    return project;
 }
 
 DocumentFile::Outcome DocumentFile::write(const Project& project, const QString& fileName,

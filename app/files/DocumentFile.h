@@ -30,6 +30,7 @@ public:
         PreparedTree tree;
         std::shared_ptr<PreparedScene> scene; ///< Of the tree; null if reading was cancelled
         QString warning;                      ///< See Project::warning
+        ForeignParts foreign;
         FileContent content;
         FileStamp stamp;
     };
@@ -37,6 +38,7 @@ public:
     struct Aside {
         AsideDocument document;
         SceneLook savedLook;
+        ForeignParts foreign;
         QString fileName;
         QString displayName;
         FileContent content;
@@ -125,7 +127,8 @@ private:
 
     TreeDocument& m_document;
     SceneLook m_newLook;
-    SceneLook m_savedLook; ///< The look in the document's file, or that the document began with
+    SceneLook m_savedLook;  ///< The look in the document's file, or that the document began with
+    ForeignParts m_foreign; ///< Of the document's file
     QString m_fileName;
     QString m_displayName;
     FileContent m_content;

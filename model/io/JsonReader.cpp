@@ -147,6 +147,17 @@ void JsonReader::fail(Error error)
         m_error = std::move(error);
 }
 
+QJsonObject JsonReader::takeRest()
+{
+    QJsonObject rest;
+    for (auto member = m_object.constBegin(); member != m_object.constEnd(); ++member) {
+        if (!m_asked.contains(member.key()))
+            rest.insert(member.key(), member.value());
+    }
+    m_asked.append(rest.keys());
+    return rest;
+}
+
 Result<void> JsonReader::finish() const
 {
     if (m_error)

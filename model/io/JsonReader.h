@@ -47,6 +47,8 @@ public:
     /// Keeps @p error if it is the first.
     void fail(Error error);
     void fail(QLatin1StringView key, const QString& what) { fail(inputError(placeOf(key), what)); }
+    /// The members that were not read so far; now they count as read.
+    QJsonObject takeRest();
     /// The first fault, or else an error that names a member that was never read.
     Result<void> finish() const;
 

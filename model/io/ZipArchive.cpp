@@ -165,6 +165,17 @@ bool ZipReader::contains(const char* name) const
     return zip_name_locate(m_archive.get(), name, 0) >= 0;
 }
 
+std::vector<QByteArray> ZipReader::names() const
+{
+    std::vector<QByteArray> names;
+    const zip_int64_t entries = zip_get_num_entries(m_archive.get(), 0);
+    for (zip_int64_t i = 0; i < entries; ++i) {
+        if (const char* name = zip_get_name(m_archive.get(), static_cast<zip_uint64_t>(i), 0))
+            names.emplace_back(name);
+    }
+    return names;
+}
+
 Result<std::uint64_t> ZipReader::sizeOf(const char* name) const
 {
     zip_stat_t stat;

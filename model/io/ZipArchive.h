@@ -44,6 +44,8 @@ public:
     static Result<ZipReader> openFile(const QString& fileName);
 
     bool contains(const char* name) const;
+    /// Of all entries, in the order of the archive; a damaged archive can have the same one twice.
+    std::vector<QByteArray> names() const;
     /// Unpacks an entry of at most @p maximumBytes.
     Result<QByteArray> read(const char* name, std::uint64_t maximumBytes) const;
     /// Unpacks an entry into @p target, which it must fill exactly.

@@ -30,6 +30,7 @@ private Q_SLOTS:
     void broughtBack_asksBeforeItReplacesAFileChangedSince();
     void originsOfOlderVersions_areRead();
     void look_isBroughtBack();
+    void partsOfOtherPrograms_areBroughtBack();
 
 private:
     /// Leaves the files of a crash @p minutes ago: a tree of @p steps steps, opened from @p original.
@@ -358,6 +359,26 @@ void RecoveryTest::look_isBroughtBack()
     press(window, QStringLiteral("Bring Back"));
     QTRY_VERIFY_WITH_TIMEOUT(window.document.look() == look, 30'000);
     QVERIFY(window.files->file().isModified());
+}
+
+void RecoveryTest::partsOfOtherPrograms_areBroughtBack()
+{
+    Project project = test::sampleProject(30);
+    project.foreign.members = {{QStringLiteral("shot"), 7}};
+    project.foreign.entries = {{"pipeline/notes.txt", "Ready for review"}};
+    QVERIFY(saveProject(project, path("oak.espalier")));
+    crash("a", path("oak.espalier"), 2, 1);
+    test::FilesWindow window;
+    window.files->offerRecovery(Recovery::Occasion::Start);
+    QTRY_VERIFY_WITH_TIMEOUT(offered(window).contains(QStringLiteral("oak.espalier")), 30'000);
+    press(window, QStringLiteral("Bring Back"));
+    QTRY_VERIFY_WITH_TIMEOUT(window.files->file().isModified(), 30'000);
+    save(window, path("elm.espalier"));
+    const Result<Project> saved = loadProject(path("elm.espalier"));
+    QVERIFY(saved);
+    QVERIFY(saved->foreign == project.foreign);
+    window.files->startNew();
+    QVERIFY(window.files->file().snapshot().foreign == ForeignParts());
 }
 
 static const test::TestClass<RecoveryTest> recoveryTest;

@@ -29,7 +29,8 @@ std::vector<std::uint32_t> readIndices(JsonReader& reader, const char* key)
 
 } // namespace
 
-QByteArray describe(const QString& name, const Tree& whole, std::size_t deltas, std::uint32_t ahead)
+QByteArray describe(const QString& name, const Tree& whole, std::size_t deltas, std::uint32_t ahead,
+                    const QJsonObject& foreign)
 {
     const TreeContent& tree = whole.content();
     QJsonArray inForce;
@@ -50,6 +51,10 @@ QByteArray describe(const QString& name, const Tree& whole, std::size_t deltas, 
     const QJsonObject images = ProjectImages::names(ProjectImages::of(tree.kept.parameters));
     if (!images.isEmpty())
         json[QStringLiteral("images")] = images;
+    for (auto member = foreign.begin(); member != foreign.end(); ++member) {
+        if (!json.contains(member.key()))
+            json[member.key()] = member.value();
+    }
     return QJsonDocument(json).toJson();
 }
 
@@ -100,6 +105,7 @@ Result<ProjectDescription> readDescription(JsonReader& reader)
     description.deltas = readCount(reader, "deltas", 0, projectLimits::kDeltas);
     description.ahead = readCount(reader, "ahead", 0, description.deltas);
     description.lassosInForce = readIndices(reader, "lassosInForce");
+    description.foreign = reader.takeRest();
     if (const Result<void> end = reader.finish(); !end)
         return end.error();
     return description;

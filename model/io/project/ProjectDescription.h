@@ -19,10 +19,13 @@ struct ProjectDescription {
     std::uint32_t currentParameters = 0;
     std::vector<std::uint32_t> lassosInForce; ///< Empty in version 1
     QJsonObject imageNames;                   ///< By hash
+    QJsonObject foreign;                      ///< Members of other programs; empty in version 1
 };
 
-/// project.json of a tree with a journal of @p deltas deltas, the last @p ahead of which lie ahead.
-QByteArray describe(const QString& name, const Tree& tree, std::size_t deltas, std::uint32_t ahead);
+/// project.json of a tree with a journal of @p deltas deltas, the last @p ahead of which lie ahead. @p
+/// foreign: more members.
+QByteArray describe(const QString& name, const Tree& tree, std::size_t deltas, std::uint32_t ahead,
+                    const QJsonObject& foreign);
 
 /// Reads the version of the format. Fails if the file is not a project, and for a version that a later
 /// program wrote.

@@ -101,13 +101,19 @@ Result<Project> readProject(const ZipReader& archive, JsonReader& reader)
     Result<Tree> tree = Tree::fromContent(std::move(content));
     if (!tree)
         return tree.error();
-    return Project{std::move(*tree), std::move(*journal), description->name, {}, description->ahead, {},
-                   images.lost()};
+    return Project{.tree = std::move(*tree),
+                   .journal = std::move(*journal),
+                   .name = description->name,
+                   .thumbnail = {},
+                   .ahead = description->ahead,
+                   .look = {},
+                   .foreign = {.members = description->foreign, .entries = {}},
+                   .warning = images.lost()};
 }
 
-/// The look of a project that was read, or a sentence about what is wrong with it: the tree is of use without
-/// it.
-void takeLook(const ZipReader& archive, Project& project)
+/// The look of a project that was read, and what other programs have put into the file, or sentences about
+/// what is wrong with them: the tree is of use without them.
+void takeMore(const ZipReader& archive, Project& project)
 {
     QStringList warnings;
     if (!project.warning.isEmpty())
@@ -126,6 +132,10 @@ void takeLook(const ZipReader& archive, Project& project)
                                 .arg((*look)->lostPicture));
         project.look = std::move((*look)->look);
     }
+    bool isWhole = true;
+    project.foreign.entries = readForeignEntries(archive, isWhole);
+    if (!isWhole)
+        warnings.append(ProjectFileText::tr("some of what other programs have put into it cannot be kept"));
     project.warning = warnings.join(QStringLiteral("; "));
 }
 
@@ -178,8 +188,8 @@ Result<QByteArray> packProject(const Project& project)
         return Error{Error::Kind::Output, sound.error().message};
     const TreeContent& content = project.tree.content();
     ZipWriter archive;
-    archive.add(kDescriptionEntry,
-                describe(project.name, project.tree, project.journal.size(), project.ahead));
+    archive.add(kDescriptionEntry, describe(project.name, project.tree, project.journal.size(), project.ahead,
+                                            project.foreign.members));
     addTree(archive, content);
     KeptTable::visit([&](const auto& info, const auto& values) { addKept(archive, info.name, values); },
                      content.kept);
@@ -189,6 +199,7 @@ Result<QByteArray> packProject(const Project& project)
     ProjectImages::add(archive, imagesOf(project));
     if (!project.thumbnail.isNull())
         archive.add(kThumbnailEntry, thumbnailPng(project.thumbnail), ZipWriter::Packing::Store);
+    addForeignEntries(archive, project.foreign.entries);
     return archive.finish();
 }
 
@@ -214,7 +225,7 @@ Result<Project> unpackProject(const QByteArray& bytes)
         return project;
     if (const Result<void> sound = checkHistory(project->tree, project->journal); !sound)
         return sound.error();
-    takeLook(*archive, *project);
+    takeMore(*archive, *project);
     project->thumbnail = readThumbnail(*archive);
     return project;
 }

@@ -34,6 +34,9 @@ Tree shownTree(const Project& project);
 ///   were read, each once; project.json and look.json have their files' names;
 /// - thumbnail.png, if there is one.
 ///
+/// Members of project.json and entries that are not known are kept (ForeignParts), so that other programs can
+/// put something of their own into a project.
+///
 /// Version 1, which had absent rows and no keys, is read and brought up to date (ProjectVersion1.h).
 ///
 /// The file's bytes; equal projects give equal bytes. Fails for what unpackProject() would refuse: a project

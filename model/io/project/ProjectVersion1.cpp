@@ -353,8 +353,14 @@ Result<Project> read(const ZipReader& archive, JsonReader& reader)
     Result<Tree> tree = Tree::fromContent(std::move(content));
     if (!tree)
         return tree.error();
-    return Project{std::move(*tree), std::move(journal), description.name, {}, description.ahead, {},
-                   images.lost()};
+    return Project{.tree = std::move(*tree),
+                   .journal = std::move(journal),
+                   .name = description.name,
+                   .thumbnail = {},
+                   .ahead = description.ahead,
+                   .look = {},
+                   .foreign = {},
+                   .warning = images.lost()};
 }
 
 } // namespace espalier::projectVersion1

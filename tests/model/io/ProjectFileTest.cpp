@@ -71,6 +71,9 @@ private Q_SLOTS:
     void wrongLooks_areLeftOutAndSaid_data();
     void wrongLooks_areLeftOutAndSaid();
     void equalProjects_giveEqualBytes();
+    void partsOfOtherPrograms_areKept();
+    void partsThatCannotBeKept_areLeftOutAndSaid_data();
+    void partsThatCannotBeKept_areLeftOutAndSaid();
     void reloadedJournal_revertsToTheSeedlingAndComesBack();
     void saveAndLoad_goThroughAFile();
     void thumbnail_isReadAlone();
@@ -327,6 +330,51 @@ void ProjectFileTest::equalProjects_giveEqualBytes()
     QCOMPARE(*packProject(*unpackProject(bytes)), bytes);
 }
 
+void ProjectFileTest::partsOfOtherPrograms_areKept()
+{
+    ZipEntries entries = unpackEntries(*packProject(sampleProject(50)));
+    QByteArray& description = entry(entries, "project.json");
+    description.replace(0, 1, "{ \"shot\": {\"scene\": [7, \"forêt\"]},");
+    entries.emplace_back("pipeline/notes.txt", QByteArray("Ready for review"));
+    entries.emplace_back("approved", QByteArray());
+    const Result<Project> project = unpackProject(packEntries(entries));
+    QVERIFY2(project, project ? "" : qPrintable(project.error().message));
+    QCOMPARE(project->warning, QString());
+    QCOMPARE(project->foreign.entries.size(), std::size_t{2});
+
+    const QByteArray bytes = *packProject(*project);
+    const Result<Project> back = unpackProject(bytes);
+    QVERIFY(back);
+    QVERIFY(back->foreign == project->foreign);
+    ZipEntries kept = unpackEntries(bytes);
+    QCOMPARE(entry(kept, "pipeline/notes.txt"), QByteArray("Ready for review"));
+    QVERIFY(entry(kept, "project.json").contains("forêt"));
+}
+
+void ProjectFileTest::partsThatCannotBeKept_areLeftOutAndSaid_data()
+{
+    QTest::addColumn<QByteArray>("name");
+    QTest::newRow("above") << QByteArray("notes/../../notes");
+    QTest::newRow("absolute") << QByteArray("/etc/notes");
+    QTest::newRow("another system's folder") << QByteArray("..\\notes");
+    QTest::newRow("long name") << QByteArray(300, 'n');
+    QTest::newRow("control character") << QByteArray("no\nte");
+}
+
+void ProjectFileTest::partsThatCannotBeKept_areLeftOutAndSaid()
+{
+    QFETCH(const QByteArray, name);
+    const Project project = sampleProject(50);
+    ZipEntries entries = unpackEntries(*packProject(project));
+    entries.emplace_back(name, QByteArray("Ready for review"));
+    entries.emplace_back("approved", QByteArray("yes"));
+    const Result<Project> back = unpackProject(packEntries(entries));
+    QVERIFY2(back, back ? "" : qPrintable(back.error().message));
+    QVERIFY(back->tree == project.tree);
+    QCOMPARE(back->warning, QStringLiteral("some of what other programs have put into it cannot be kept"));
+    QCOMPARE(back->foreign.entries.size(), std::size_t{1});
+}
+
 void ProjectFileTest::reloadedJournal_revertsToTheSeedlingAndComesBack()
 {
     const Result<Project> project = unpackProject(*packProject(sampleProject(400)));
@@ -481,7 +529,6 @@ void ProjectFileTest::wrongDescriptions_areRefused_data()
     row("currentParameters", 70'000, "currentParameters: a whole number from 0 to 65535");
     row("lassosInForce", QJsonArray{-1}, "lassosInForce: indices of strokes");
     row("images", 5, "images: an object");
-    row("surplus", 1, "“surplus” is not known here");
 }
 
 void ProjectFileTest::wrongDescriptions_areRefused()
