@@ -1051,6 +1051,10 @@ geschrieben werden konnte.
         <source>the tree takes more than the 4 GB that such a file can hold; export less detail</source>
         <translation>der Baum braucht mehr als die 4 GB, die eine solche Datei fassen kann; weniger Einzelheiten exportieren</translation>
     </message>
+    <message>
+        <source>the tree takes more than such a file can hold; export less detail</source>
+        <translation>der Baum braucht mehr, als eine solche Datei fasst; exportieren Sie weniger Einzelheiten</translation>
+    </message>
 </context>
 <context>
     <name>FbxRepair</name>

@@ -1050,6 +1050,10 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <source>the tree takes more than the 4 GB that such a file can hold; export less detail</source>
         <translation>l’arbre prend plus que les 4 Go que peut contenir un tel fichier&#xa0;; exporter moins de détails</translation>
     </message>
+    <message>
+        <source>the tree takes more than such a file can hold; export less detail</source>
+        <translation>l’arbre prend plus qu’un tel fichier ne peut contenir ; exportez moins de détail</translation>
+    </message>
 </context>
 <context>
     <name>FbxRepair</name>

@@ -1043,6 +1043,10 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <source>the tree takes more than the 4 GB that such a file can hold; export less detail</source>
         <translation>木が、この形式のファイルに収まる 4 GB を超えています。細部を減らして書き出してください</translation>
     </message>
+    <message>
+        <source>the tree takes more than such a file can hold; export less detail</source>
+        <translation>木がこの形式のファイルに収まりません。細かさを下げて書き出してください</translation>
+    </message>
 </context>
 <context>
     <name>FbxRepair</name>

@@ -1052,6 +1052,10 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <source>the tree takes more than the 4 GB that such a file can hold; export less detail</source>
         <translation>drzewo zajmuje więcej niż 4 GB, które mieści taki plik; wyeksportować mniej szczegółów</translation>
     </message>
+    <message>
+        <source>the tree takes more than such a file can hold; export less detail</source>
+        <translation>drzewo zajmuje więcej, niż mieści taki plik; eksportuj mniej szczegółów</translation>
+    </message>
 </context>
 <context>
     <name>FbxRepair</name>

@@ -3,6 +3,7 @@
 
 #include "model/base/WithinMemory.h"
 #include "model/io/JsonReader.h"
+#include "model/io/export/FbxGeometry.h"
 #include "model/io/export/FbxRepair.h"
 #include "model/io/export/SceneTextures.h"
 
@@ -33,32 +34,22 @@ T** makeArray(std::size_t count)
     return new T*[count];
 }
 
-aiMesh* convert(const ExportMesh& source)
+/// A mesh of one triangle: the place of @p source, whose triangles setFbxTriangles() puts in.
+aiMesh* placeFor(const ExportMesh& source)
 {
     auto mesh = std::make_unique<aiMesh>();
     mesh->mName = toAssimp(source.name);
     mesh->mMaterialIndex = static_cast<unsigned>(source.material);
     mesh->mPrimitiveTypes = aiPrimitiveType_TRIANGLE;
-    const auto& vertices = source.mesh.vertices;
-    mesh->mNumVertices = static_cast<unsigned>(vertices.size());
-    mesh->mVertices = new aiVector3D[vertices.size()];
-    mesh->mNormals = new aiVector3D[vertices.size()];
-    mesh->mTextureCoords[0] = new aiVector3D[vertices.size()];
+    mesh->mNumVertices = 3;
+    mesh->mVertices = new aiVector3D[3]{{0.0F, 0.0F, 0.0F}, {1.0F, 0.0F, 0.0F}, {0.0F, 1.0F, 0.0F}};
+    mesh->mNormals = new aiVector3D[3]{{0.0F, 0.0F, 1.0F}, {0.0F, 0.0F, 1.0F}, {0.0F, 0.0F, 1.0F}};
+    mesh->mTextureCoords[0] = new aiVector3D[3]{{0.0F, 0.0F, 0.0F}, {1.0F, 0.0F, 0.0F}, {0.0F, 1.0F, 0.0F}};
     mesh->mNumUVComponents[0] = 2;
-    for (std::size_t i = 0; i < vertices.size(); ++i) {
-        const MeshVertex& vertex = vertices[i];
-        mesh->mVertices[i] = {vertex.position[0], vertex.position[1], vertex.position[2]};
-        mesh->mNormals[i] = {vertex.normal[0], vertex.normal[1], vertex.normal[2]};
-        mesh->mTextureCoords[0][i] = {vertex.uv[0], vertex.uv[1], 0.0F};
-    }
-    const auto& indices = source.mesh.indices;
-    mesh->mNumFaces = static_cast<unsigned>(indices.size() / 3);
-    mesh->mFaces = new aiFace[mesh->mNumFaces];
-    for (unsigned i = 0; i < mesh->mNumFaces; ++i) {
-        aiFace& face = mesh->mFaces[i];
-        face.mNumIndices = 3;
-        face.mIndices = new unsigned[3]{indices[3 * i], indices[3 * i + 1], indices[3 * i + 2]};
-    }
+    mesh->mNumFaces = 1;
+    mesh->mFaces = new aiFace[1];
+    mesh->mFaces[0].mNumIndices = 3;
+    mesh->mFaces[0].mIndices = new unsigned[3]{0, 1, 2};
     return mesh.release();
 }
 
@@ -103,8 +94,23 @@ aiMaterial* convert(const ExportMaterial& source, const ExportFiles& files)
     return material.release();
 }
 
-/// The meshes, each in a node below one node with the tree's name.
-std::unique_ptr<aiScene> convertMeshes(const ExportScene& source)
+/// Puts the triangles of all meshes into a document that has their places.
+bool setTriangles(FbxDocument& document, const std::vector<ExportMesh>& meshes)
+{
+    const auto objects = std::ranges::find(document.nodes, "Objects", &FbxNode::name);
+    if (objects == document.nodes.end())
+        return false;
+    std::size_t next = 0;
+    for (FbxNode& object : objects->children) {
+        if (object.name == "Geometry" &&
+            (next >= meshes.size() || !setFbxTriangles(object, meshes[next++].mesh)))
+            return false;
+    }
+    return next == meshes.size();
+}
+
+/// The places of the meshes, each in a node below one node with the tree's name.
+std::unique_ptr<aiScene> sceneFor(const ExportScene& source)
 {
     auto scene = std::make_unique<aiScene>();
     const std::size_t count = source.meshes.size();
@@ -117,7 +123,7 @@ std::unique_ptr<aiScene> convertMeshes(const ExportScene& source)
         node->mNumMeshes = 1;
         node->mMeshes = new unsigned[1]{scene->mNumMeshes};
         scene->mRootNode->mChildren[scene->mRootNode->mNumChildren++] = node;
-        scene->mMeshes[scene->mNumMeshes++] = convert(mesh);
+        scene->mMeshes[scene->mNumMeshes++] = placeFor(mesh);
     }
     scene->mMaterials = makeArray<aiMaterial>(source.materials.size());
     return scene;
@@ -136,7 +142,7 @@ Result<void> FbxFormat::write(const ExportScene& scene, ExportFiles& files) cons
         return chosen;
     if (Result<void> added = addTextures(scene, files); !added)
         return added;
-    const std::unique_ptr<aiScene> converted = convertMeshes(scene);
+    const std::unique_ptr<aiScene> converted = sceneFor(scene);
     for (const ExportMaterial& material : scene.materials)
         converted->mMaterials[converted->mNumMaterials++] = convert(material, files);
     // FBX's unit is the centimetre unless the scale says that a unit is a hundred of them.
@@ -154,9 +160,14 @@ Result<void> FbxFormat::write(const ExportScene& scene, ExportFiles& files) cons
         return failure(QCoreApplication::translate("Exporter", "the meshes could not be written: %1")
                            .arg(QString::fromUtf8(exporter.GetErrorString())));
     }
-    const Result<QByteArray> repaired =
+    Result<FbxDocument> document =
         repairFbx({static_cast<const char*>(blob->data), static_cast<qsizetype>(blob->size)});
-    return repaired ? files.addMain(*repaired) : failure(repaired.error().message);
+    if (!document)
+        return failure(document.error().message);
+    if (!setTriangles(*document, scene.meshes))
+        return failure(QCoreApplication::translate(
+            "Exporter", "the tree takes more than such a file can hold; export less detail"));
+    return files.addMain([&](QIODevice& device) { return writeFbx(*document, device); });
 }
 
 } // namespace espalier

@@ -5,7 +5,8 @@
 
 namespace espalier {
 
-/// Binary FBX with the textures beside it, written by Assimp; repairFbx() corrects what Assimp gets wrong.
+/// Binary FBX with the textures beside it. Assimp writes the document, with a triangle in the place of each
+/// mesh; repairFbx() corrects what Assimp gets wrong, and setFbxTriangles() puts the meshes in.
 class FbxFormat final : public ExportFormat {
 public:
     QString suffix() const override { return QStringLiteral("fbx"); }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/io/export/FbxNodes.h"
 
+#include <QIODevice>
 #include <QtEndian>
 
 #include <algorithm>
@@ -162,66 +163,108 @@ void Reader::readProperties(QByteArrayView bytes, qsizetype count, FbxNode& node
     }
 }
 
+/// Bytes of an array property before its elements.
+constexpr qsizetype kArrayHeader = 13;
+
+qsizetype bytesOfProperties(const FbxNode& node)
+{
+    qsizetype bytes = node.opaque.size();
+    for (const QByteArray& property : node.properties)
+        bytes += property.size();
+    if (node.array)
+        bytes += kArrayHeader + static_cast<qsizetype>(node.array->count * node.array->elementBytes);
+    return bytes;
+}
+
+qsizetype bytesOf(const FbxNode& node, bool wide)
+{
+    qsizetype bytes = bytesOfNull(wide) + node.name.size() + bytesOfProperties(node);
+    for (const FbxNode& child : node.children)
+        bytes += bytesOf(child, wide);
+    return node.hasList ? bytes + bytesOfNull(wide) : bytes;
+}
+
 class Writer {
 public:
-    explicit Writer(const FbxDocument& document) : m_wide(document.wide), m_out(document.header)
-    {
-        for (const FbxNode& node : document.nodes)
-            writeNode(node);
-        m_out.append(bytesOfNull(m_wide), '\0');
-        writeFooter(document.footer);
-    }
-    QByteArray takeResult() { return std::move(m_out); }
+    Writer(bool wide, QIODevice& device) : m_wide(wide), m_device(device) {}
+
+    bool write(const FbxDocument& document);
 
 private:
-    void setNumber(qsizetype offset, qsizetype value);
-    void writeNode(const FbxNode& node);
-    void writeFooter(const QByteArray& footer);
+    void put(const QByteArray& bytes) { m_isTaken = m_isTaken && m_device.write(bytes) == bytes.size(); }
+    void putNode(const FbxNode& node);
+    void putArray(const FbxArray& array);
+    void putFooter(const QByteArray& footer);
+    QByteArray number(qsizetype value) const;
 
     bool m_wide;
-    QByteArray m_out;
+    QIODevice& m_device;
+    qsizetype m_place = 0; ///< Where the next node begins
+    bool m_isTaken = true;
 };
 
-void Writer::setNumber(qsizetype offset, qsizetype value)
+bool Writer::write(const FbxDocument& document)
 {
+    put(document.header);
+    m_place = document.header.size();
+    for (const FbxNode& node : document.nodes)
+        putNode(node);
+    put(QByteArray(bytesOfNull(m_wide), '\0'));
+    m_place += bytesOfNull(m_wide);
+    putFooter(document.footer);
+    return m_isTaken;
+}
+
+QByteArray Writer::number(qsizetype value) const
+{
+    QByteArray bytes(bytesOfField(m_wide), '\0');
     if (m_wide)
-        qToLittleEndian(static_cast<std::uint64_t>(value), m_out.data() + offset);
+        qToLittleEndian(static_cast<std::uint64_t>(value), bytes.data());
     else
-        qToLittleEndian(static_cast<std::uint32_t>(value), m_out.data() + offset);
+        qToLittleEndian(static_cast<std::uint32_t>(value), bytes.data());
+    return bytes;
 }
 
-void Writer::writeNode(const FbxNode& node)
+void Writer::putNode(const FbxNode& node)
 {
-    const qsizetype begin = m_out.size();
-    const qsizetype field = bytesOfField(m_wide);
-    m_out.append(bytesOfNull(m_wide) - 1, '\0');
-    m_out.append(static_cast<char>(node.name.size()));
-    m_out.append(node.name);
-    const qsizetype properties = m_out.size();
-    m_out.append(node.opaque);
+    const qsizetype end = m_place + bytesOf(node, m_wide);
+    const qsizetype count = node.array              ? 1
+                            : node.opaque.isEmpty() ? static_cast<qsizetype>(node.properties.size())
+                                                    : node.opaqueCount;
+    put(number(end) + number(count) + number(bytesOfProperties(node)) +
+        QByteArray(1, static_cast<char>(node.name.size())) + node.name + node.opaque);
     for (const QByteArray& property : node.properties)
-        m_out.append(property);
-    setNumber(begin + field,
-              node.opaque.isEmpty() ? static_cast<qsizetype>(node.properties.size()) : node.opaqueCount);
-    setNumber(begin + 2 * field, m_out.size() - properties);
-    if (node.hasList) {
-        for (const FbxNode& child : node.children)
-            writeNode(child);
-        m_out.append(bytesOfNull(m_wide), '\0');
-    }
-    setNumber(begin, m_out.size());
+        put(property);
+    if (node.array)
+        putArray(*node.array);
+    m_place += bytesOfNull(m_wide) + node.name.size() + bytesOfProperties(node);
+    for (const FbxNode& child : node.children)
+        putNode(child);
+    if (node.hasList)
+        put(QByteArray(bytesOfNull(m_wide), '\0'));
+    m_place = end;
 }
 
-void Writer::writeFooter(const QByteArray& footer)
+void Writer::putArray(const FbxArray& array)
+{
+    QByteArray header(kArrayHeader, array.type);
+    qToLittleEndian(static_cast<std::uint32_t>(array.count), header.data() + 1);
+    qToLittleEndian(std::uint32_t{0}, header.data() + 5); // not packed
+    qToLittleEndian(static_cast<std::uint32_t>(array.count * array.elementBytes), header.data() + 9);
+    put(header);
+    m_isTaken = m_isTaken && array.write(m_device);
+}
+
+void Writer::putFooter(const QByteArray& footer)
 {
     const qsizetype padding = footer.size() - kFooterId - kFooterEnd;
     if (padding < 1 || padding > 16) {
-        m_out.append(footer);
+        put(footer);
         return;
     }
-    m_out.append(footer.first(kFooterId));
-    m_out.append(16 - m_out.size() % 16, '\0');
-    m_out.append(footer.last(kFooterEnd));
+    put(footer.first(kFooterId));
+    put(QByteArray(16 - (m_place + kFooterId) % 16, '\0'));
+    put(footer.last(kFooterEnd));
 }
 
 } // namespace
@@ -269,12 +312,14 @@ std::optional<FbxDocument> readFbx(QByteArrayView content)
     return document;
 }
 
-std::optional<QByteArray> writeFbx(const FbxDocument& document)
+bool writeFbx(const FbxDocument& document, QIODevice& device)
 {
-    QByteArray content = Writer(document).takeResult();
-    if (!document.wide && content.size() > std::numeric_limits<std::uint32_t>::max())
-        return {};
-    return content;
+    qsizetype bytes = document.header.size() + document.footer.size();
+    for (const FbxNode& node : document.nodes)
+        bytes += bytesOf(node, document.wide);
+    if (!document.wide && bytes > std::numeric_limits<std::uint32_t>::max())
+        return false;
+    return Writer(document.wide, device).write(document);
 }
 
 } // namespace espalier

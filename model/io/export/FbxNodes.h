@@ -4,11 +4,24 @@
 #include <QByteArray>
 #include <QByteArrayView>
 
+#include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <vector>
 
+class QIODevice;
+
 namespace espalier {
+
+/// An array property that is made while it is written.
+struct FbxArray {
+    char type = 'd';       ///< 'd' double, 'i' 32-bit integer
+    std::size_t count = 0; ///< Of elements; its bytes must be below 2^32
+    std::size_t elementBytes = 8;
+    /// Writes the elements, little-endian; returns false if the device does not take them.
+    std::function<bool(QIODevice&)> write;
+};
 
 /// A node of a binary FBX file: a name, properties, nested nodes.
 struct FbxNode {
@@ -16,7 +29,8 @@ struct FbxNode {
     /// Each property as it is in the file: a letter for the type, and the value.
     std::vector<QByteArray> properties;
     std::vector<FbxNode> children;
-    bool hasList = false; ///< Whether a list of nested nodes follows, which can be empty
+    std::optional<FbxArray> array; ///< The only property; then `properties` is empty
+    bool hasList = false;          ///< Whether a list of nested nodes follows, which can be empty
     /// Bytes of properties that could not be parsed, as they are in the file; then `properties` is empty.
     QByteArray opaque;
     qsizetype opaqueCount = 0;
@@ -41,8 +55,8 @@ QByteArray fbxInteger(std::int32_t value);
 /// Reads a file whether or not its lists of nodes end in the record of zeros that the format demands. Returns
 /// nothing if the content is not a valid tree of nodes.
 std::optional<FbxDocument> readFbx(QByteArrayView content);
-/// Writes a file with those records and the right offsets. Returns nothing if the file is too large for its
-/// offsets.
-std::optional<QByteArray> writeFbx(const FbxDocument& document);
+/// Writes a file with those records and the right offsets, node by node. Returns false if the file is too
+/// large for its offsets, or if the device does not take it.
+bool writeFbx(const FbxDocument& document, QIODevice& device);
 
 } // namespace espalier

@@ -103,15 +103,12 @@ void setCreationTime(FbxNode& header)
 
 } // namespace
 
-Result<QByteArray> repairFbx(QByteArrayView content)
+Result<FbxDocument> repairFbx(QByteArrayView content)
 {
-    const auto broken = [] {
-        return inputError({},
-                          QCoreApplication::translate("FbxRepair", "this is not a valid binary FBX file"));
-    };
     std::optional<FbxDocument> document = readFbx(content);
     if (!document)
-        return broken();
+        return inputError({},
+                          QCoreApplication::translate("FbxRepair", "this is not a valid binary FBX file"));
     const auto node = [&](QByteArrayView name) {
         const auto found = std::ranges::find(document->nodes, name, &FbxNode::name);
         return found == document->nodes.end() ? nullptr : &*found;
@@ -127,9 +124,7 @@ Result<QByteArray> repairFbx(QByteArrayView content)
         }
         nameGeometries(objects->children, node("Connections"));
     }
-    if (std::optional<QByteArray> repaired = writeFbx(*document))
-        return *std::move(repaired);
-    return broken();
+    return *std::move(document);
 }
 
 } // namespace espalier

@@ -2,9 +2,7 @@
 #pragma once
 
 #include "model/base/Error.h"
-
-#include <QByteArray>
-#include <QByteArrayView>
+#include "model/io/export/FbxNodes.h"
 
 namespace espalier {
 
@@ -20,7 +18,8 @@ namespace espalier {
 /// that
 ///   Assimp writes as CreationTime.
 ///
-/// What is right already stays the same. Fails if the content is not a valid tree of nodes.
-Result<QByteArray> repairFbx(QByteArrayView content);
+/// What is right already stays the same. Fails if the content is not a valid tree of nodes. The document
+/// shares the bytes of @p content.
+Result<FbxDocument> repairFbx(QByteArrayView content);
 
 } // namespace espalier

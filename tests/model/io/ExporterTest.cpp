@@ -73,6 +73,7 @@ private Q_SLOTS:
     void obj_hasEveryVertexAndRefersToFilesThatExist();
     void glb_hasNamesMaterialsAndTexturesInside();
     void fbx_isSoundAndCountsInMetres();
+    void fbx_hasNoTimeOfItsOwn();
     void fbx_namesItsTexturesImagesAndGeometries();
     void fbx_hasTheGlossOfTheRoughness();
     void fbx_takesTransparencyFromTheMask();
@@ -374,7 +375,11 @@ void ExporterTest::fbx_isSoundAndCountsInMetres()
                           QStringLiteral("oak_leaf.png"), QStringLiteral("oak_leaf_mask.png"),
                           QStringLiteral("oak_leaf_normal.png"), QStringLiteral("oak_leaf_roughness.png")}));
     const QByteArray content = contentOf(fileName);
-    QCOMPARE(*repairFbx(content), content); // nothing is left to repair
+    const Result<FbxDocument> repaired = repairFbx(content);
+    QBuffer bytes;
+    bytes.open(QIODevice::WriteOnly);
+    QVERIFY(repaired && writeFbx(*repaired, bytes));
+    QCOMPARE(bytes.data(), content); // nothing is left to repair
     Assimp::Importer importer;
     const aiScene* const scene = importer.ReadFile(fileName.toStdString(), 0);
     QVERIFY2(scene != nullptr, importer.GetErrorString());
@@ -445,6 +450,21 @@ struct ExportedFbx {
 };
 
 } // namespace
+
+void ExporterTest::fbx_hasNoTimeOfItsOwn()
+{
+    ExportedFbx fbx;
+    for (FbxNode& node : fbx.document.nodes) {
+        FbxNode* const stamp = node.child("CreationTimeStamp");
+        if (stamp == nullptr)
+            continue;
+        QCOMPARE(stamp->child("Year")->properties.front(), fbxInteger(1970));
+        QCOMPARE(stamp->child("Second")->properties.front(), fbxInteger(0));
+        QCOMPARE(ExportedFbx().content, fbx.content);
+        return;
+    }
+    QFAIL("there is no CreationTimeStamp");
+}
 
 void ExporterTest::fbx_namesItsTexturesImagesAndGeometries()
 {
