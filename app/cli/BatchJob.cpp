@@ -130,8 +130,8 @@ QJsonObject countsToJson(const TreeCounts& counts)
 }
 
 /// @p more: what else is to be said; its "infer" is a time.
-Result<void> writeStats(const TreeDocument& document, const MeshCounts& mesh, const Times& times,
-                        QJsonObject more, const QString& fileName)
+Result<void> addStats(const TreeDocument& document, const MeshCounts& mesh, const Times& times,
+                      QJsonObject more, const QString& fileName, Outputs& outputs)
 {
     QJsonObject stats = countsToJson(countTree(document.tree(), document.index()));
     stats[QStringLiteral("vertices")] = number(mesh.vertices);
@@ -159,12 +159,12 @@ Result<void> writeStats(const TreeDocument& document, const MeshCounts& mesh, co
     for (auto i = more.constBegin(); i != more.constEnd(); ++i)
         stats[i.key()] = i.value();
     stats[QStringLiteral("peakRssMb")] = peakMemory();
-    return writeFile(fileName, QJsonDocument(stats).toJson());
+    return outputs.add(QJsonDocument(stats).toJson(), fileName);
 }
 
 /// Writes the strands of each cross-section: places in strand radii, along the first and third axis of the
 /// section's frame.
-Result<void> writeProfiles(const TreeDocument& document, const QString& fileName)
+Result<void> addProfiles(const TreeDocument& document, const QString& fileName, Outputs& outputs)
 {
     const Tree& tree = document.tree();
     const StrandLayouts layouts(tree, document.index(), Widths(tree, document.index()));
@@ -194,12 +194,13 @@ Result<void> writeProfiles(const TreeDocument& document, const QString& fileName
             json[QStringLiteral("profileScale")] = digits(layouts.profileScale(i));
         nodes.append(json);
     }
-    return writeFile(
-        fileName,
-        QJsonDocument(QJsonObject{{QStringLiteral("nodes"), nodes}}).toJson(QJsonDocument::Compact));
+    return outputs.add(
+        QJsonDocument(QJsonObject{{QStringLiteral("nodes"), nodes}}).toJson(QJsonDocument::Compact),
+        fileName);
 }
 
-Result<void> writePictureOf(const TreeDocument& document, const CommandLine& line, const QString& recipeView)
+Result<void> addPicture(const TreeDocument& document, const CommandLine& line, const QString& recipeView,
+                        Outputs& outputs)
 {
     PictureRequest request;
     request.size = line.size;
@@ -214,19 +215,26 @@ Result<void> writePictureOf(const TreeDocument& document, const CommandLine& lin
     if (!picture)
         return Error{Error::Kind::Output,
                      QStringLiteral("%1: %2").arg(line.picture, picture.error().message)};
-    return writePicture(*picture, line.picture);
+    return outputs.add(*picture, line.picture);
 }
 
-Result<void> writeOutputs(const Project& project, const QStringList& fileNames)
+Result<void> addAll(const Project& project, const QStringList& fileNames, Outputs& outputs)
 {
     for (const QString& fileName : fileNames) {
         tellProgress(QStringLiteral("%1…").arg(fileName));
-        const Result<void> written = writeOutput(project, fileName);
+        const Result<void> written = outputs.add(project, fileName);
         tellProgress({});
         if (!written)
             return written.error();
     }
     return {};
+}
+
+Result<void> writeOutputs(const Project& project, const QStringList& fileNames)
+{
+    Outputs outputs;
+    const Result<void> added = addAll(project, fileNames, outputs);
+    return added ? outputs.commit() : added;
 }
 
 /// What is to be played: a recipe, or the history of a project.
@@ -332,21 +340,17 @@ Result<void> writeResults(const TreeDocument& document, const QString& name, con
     times.mesh = secondsOf(timer);
 
     timer.start();
-    const Project project = projectOf(document, name);
-    if (const Result<void> written = writeOutputs(project, line.outputs); !written)
-        return written.error();
+    Outputs outputs;
+    Result<void> added = addAll(projectOf(document, name), line.outputs, outputs);
     times.exports = secondsOf(timer);
-
-    if (!line.picture.isEmpty()) {
-        if (const Result<void> written = writePictureOf(document, line, view); !written)
-            return written.error();
-    }
-    if (!line.profiles.isEmpty()) {
-        if (const Result<void> written = writeProfiles(document, line.profiles); !written)
-            return written.error();
-    }
+    if (added && !line.picture.isEmpty())
+        added = addPicture(document, line, view, outputs);
+    if (added && !line.profiles.isEmpty())
+        added = addProfiles(document, line.profiles, outputs);
     times.total = growth + secondsOf(total);
-    return line.stats.isEmpty() ? Result<void>() : writeStats(document, mesh, times, more, line.stats);
+    if (added && !line.stats.isEmpty())
+        added = addStats(document, mesh, times, more, line.stats, outputs);
+    return added ? outputs.commit() : added;
 }
 
 /// Varies the tree, if the command line says so.
@@ -441,7 +445,9 @@ Result<void> render(const CommandLine& line)
     TreeDocument document;
     if (const Result<void> shown = showChanged(document, std::move(*project), line); !shown)
         return shown.error();
-    return writePictureOf(document, line, {});
+    Outputs outputs;
+    const Result<void> added = addPicture(document, line, {}, outputs);
+    return added ? outputs.commit() : added;
 }
 
 QJsonArray pointToJson(const Vec3& point)

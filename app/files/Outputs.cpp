@@ -9,11 +9,23 @@
 #include <QCoreApplication>
 #include <QFileInfo>
 
+#include <algorithm>
+#include <iterator>
+
 namespace espalier {
+
+namespace {
+
+bool isProjectName(const QString& fileName)
+{
+    return QFileInfo(fileName).suffix().toLower() == QStringLiteral("espalier");
+}
+
+} // namespace
 
 Result<void> writeOutput(const Project& project, const QString& fileName, const Progress& progress)
 {
-    if (QFileInfo(fileName).suffix().toLower() == QStringLiteral("espalier"))
+    if (isProjectName(fileName))
         return saveProject(project, fileName);
     const Tree tree = shownTree(project);
     return exportTree(tree, TreeIndex(tree), project.name, fileName, {}, progress);
@@ -32,6 +44,40 @@ Result<void> writeRecipeOf(const Project& project, const QString& fileName)
 
 Result<void> writePicture(const QImage& picture, const QString& fileName)
 {
+    Outputs outputs;
+    const Result<void> added = outputs.add(picture, fileName);
+    return added ? outputs.commit() : added;
+}
+
+Result<void> Outputs::add(const Project& project, const QString& fileName)
+{
+    if (isProjectName(fileName)) {
+        const Result<QByteArray> bytes = packProject(project);
+        if (!bytes)
+            return Error{Error::Kind::Output,
+                         inputError(QFileInfo(fileName).fileName(), bytes.error().message).message};
+        return add(*bytes, fileName);
+    }
+    const Tree tree = shownTree(project);
+    Result<FileSet> files = prepareExport(tree, TreeIndex(tree), project.name, fileName, {}, {}, m_files);
+    if (!files)
+        return files.error();
+    std::ranges::move(*files, std::back_inserter(m_files));
+    return {};
+}
+
+Result<void> Outputs::add(const QByteArray& bytes, const QString& fileName)
+{
+    auto file = std::make_unique<FileWriter>(fileName);
+    file->write(bytes);
+    if (Result<void> finished = file->finish(); !finished)
+        return finished;
+    m_files.push_back(std::move(file));
+    return {};
+}
+
+Result<void> Outputs::add(const QImage& picture, const QString& fileName)
+{
     QByteArray bytes;
     QBuffer buffer(&bytes);
     if (!buffer.open(QIODevice::WriteOnly) || !picture.save(&buffer, "PNG")) {
@@ -39,7 +85,7 @@ Result<void> writePicture(const QImage& picture, const QString& fileName)
             Error::Kind::Output,
             QCoreApplication::translate("Outputs", "%1: the picture could not be compressed").arg(fileName)};
     }
-    return writeFile(fileName, bytes);
+    return add(bytes, fileName);
 }
 
 } // namespace espalier

@@ -20,4 +20,18 @@ Result<void> writeRecipeOf(const Project& project, const QString& fileName);
 /// Replaces the file whole or leaves it as it was.
 Result<void> writePicture(const QImage& picture, const QString& fileName);
 
+/// The files that one command writes: all of them take their places in commit(), or none does. A device or a
+/// pipe gets its bytes at once.
+class Outputs {
+public:
+    /// See writeOutput().
+    Result<void> add(const Project& project, const QString& fileName);
+    Result<void> add(const QByteArray& bytes, const QString& fileName);
+    Result<void> add(const QImage& picture, const QString& fileName);
+    Result<void> commit() { return FileWriter::commitAll(m_files); }
+
+private:
+    FileSet m_files;
+};
+
 } // namespace espalier

@@ -275,13 +275,18 @@ Result<void> FileWriter::commit()
     return {};
 }
 
-void FileWriter::keepOld()
+Result<void> FileWriter::keepOld()
 {
-    if (m_isDevice)
-        return;
+    if (m_isDevice || m_isNew)
+        return {};
     const QByteArray name = freeName(m_target);
-    if (::link(m_target.constData(), name.constData()) == 0)
-        m_old = name;
+    // Some file systems have no second names for a file: there it is a copy.
+    if (::link(m_target.constData(), name.constData()) != 0) {
+        if (Result<void> copied = copyFile(QFile::decodeName(m_target), QFile::decodeName(name)); !copied)
+            return copied;
+    }
+    m_old = name;
+    return {};
 }
 
 void FileWriter::dropOld()
@@ -303,22 +308,24 @@ void FileWriter::restoreOld()
     }
 }
 
-Result<void> FileWriter::commitAll(const std::vector<FileWriter*>& files)
+Result<void> FileWriter::commitAll(const FileSet& files)
 {
-    for (FileWriter* file : files) {
+    for (const auto& file : files) {
         if (Result<void> finished = file->finish(); !finished)
             return finished;
     }
     for (std::size_t i = 0; i < files.size(); ++i) {
-        files[i]->keepOld();
-        const Result<void> committed = files[i]->commit();
+        Result<void> committed = files[i]->keepOld();
+        if (committed)
+            committed = files[i]->commit();
         if (committed)
             continue;
+        files[i]->dropOld();
         while (i-- > 0)
             files[i]->restoreOld();
         return committed;
     }
-    for (FileWriter* file : files)
+    for (const auto& file : files)
         file->dropOld();
     return {};
 }

@@ -6,9 +6,14 @@
 #include <QByteArray>
 #include <QIODevice>
 
+#include <memory>
 #include <vector>
 
 namespace espalier {
+
+class FileWriter;
+/// Files that belong together.
+using FileSet = std::vector<std::unique_ptr<FileWriter>>;
 
 /// A file that is being written. All code of this program writes files through this class
 /// (scripts/check-writers.py checks that).
@@ -37,7 +42,7 @@ public:
     /// Calls finish(), then replaces the target, then brings the folder to the disk.
     Result<void> commit();
     /// Commits all files, or none: if one fails, those before it get back what they had.
-    static Result<void> commitAll(const std::vector<FileWriter*>& files);
+    static Result<void> commitAll(const FileSet& files);
 
 protected:
     qint64 readData(char*, qint64) override { return -1; }
@@ -50,7 +55,7 @@ private:
     void nameTemporary();
     void closeDescriptor();
     /// Keeps what the target holds under another name until dropOld() or restoreOld().
-    void keepOld();
+    Result<void> keepOld();
     void dropOld();
     void restoreOld();
     void flushBlock();

@@ -39,6 +39,7 @@ private Q_SLOTS:
     void failures_areOneLineAndACode_data();
     void failures_areOneLineAndACode();
     void failedOutput_leavesTheOldFile();
+    void failedOutput_leavesTheOthersOut();
     void diskThatTakesNothing_leavesOldFilesAndFails_data();
     void diskThatTakesNothing_leavesOldFilesAndFails();
     void fullDisk_isSaidInWords();
@@ -516,6 +517,17 @@ void ProgramTest::failedOutput_leavesTheOldFile()
     write("t.glb", "old");
     QCOMPARE(run({"replay", "r.json", "-o", "no/where/t.csv", "-o", "t.glb"}).code, 4);
     QCOMPARE(read("t.glb"), QByteArray("old"));
+}
+
+void ProgramTest::failedOutput_leavesTheOthersOut()
+{
+    write("t.obj", "old");
+    const QStringList before = QDir(m_folder->path()).entryList(QDir::Files);
+    const Outcome outcome = run({"replay", "r.json", "-o", "t.obj", "-o", "t.fbx", "-o", "t.espalier",
+                                 "--stats", "no/such/folder/t.json"});
+    QVERIFY(outcome.code != 0);
+    QCOMPARE(read("t.obj"), QByteArray("old"));
+    QCOMPARE(QDir(m_folder->path()).entryList(QDir::Files), before);
 }
 
 void ProgramTest::diskThatTakesNothing_leavesOldFilesAndFails_data()

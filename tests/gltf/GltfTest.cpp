@@ -87,7 +87,8 @@ void GltfTest::sample_isValid()
     const QString fileName = folder.filePath(QStringLiteral("tree.glb"));
     ExportFiles files(fileName);
     QVERIFY(exportFormatOf(fileName)->write(scene, files));
-    QVERIFY(files.commit());
+    const Result<FileSet> made = files.take();
+    QVERIFY(made && FileWriter::commitAll(*made));
     const QByteArray output = validate(fileName);
     QVERIFY2(output == kValid, output.constData());
 

@@ -20,6 +20,7 @@ bool failsOnce = false;
 int errorNumber = 0;
 std::atomic<int> callCount = 0;
 std::atomic<int> firstNaming = -1;
+bool hasLinks = true;
 std::atomic<int> goodRenamesLeft = -1; // Below 0 if renames are calls as all others
 
 bool isAtRisk(const QByteArray& path)
@@ -101,6 +102,10 @@ int rename(const char* from, const char* to) noexcept
 
 int link(const char* from, const char* to) noexcept
 {
+    if (isAtRisk(QByteArray(to)) && !hasLinks) {
+        errno = EPERM;
+        return -1;
+    }
     if (isAtRisk(QByteArray(to)) && fails(false))
         return -1;
     static auto* const call = real<int(const char*, const char*)>("link");
@@ -131,6 +136,7 @@ FaultyDisk::FaultyDisk(const QString& folder, int goodCalls, int error)
 FaultyDisk::FaultyDisk(const QString& folder, Renames renames, int error) : FaultyDisk(folder, kNever, error)
 {
     goodRenamesLeft = renames.good;
+    hasLinks = renames.hasLinks;
 }
 
 FaultyDisk::FaultyDisk(const QString& folder, Once once, int error) : FaultyDisk(folder, once.good, error)
@@ -141,6 +147,7 @@ FaultyDisk::FaultyDisk(const QString& folder, Once once, int error) : FaultyDisk
 FaultyDisk::~FaultyDisk()
 {
     failsOnce = false;
+    hasLinks = true;
     folderAtRisk.clear();
     goodRenamesLeft = -1;
 }

@@ -22,6 +22,7 @@ public:
     FaultyDisk(const QString& folder, Once once, int error);
     struct Renames {
         int good;
+        bool hasLinks = true; ///< Whether files can have second names
     };
     /// The rename after @p renames.good good ones fails, and nothing else.
     FaultyDisk(const QString& folder, Renames renames, int error);

@@ -26,9 +26,11 @@ QString shortened(QString stem)
 
 } // namespace
 
-ExportFiles::ExportFiles(const QString& mainFile)
+ExportFiles::ExportFiles(const QString& mainFile, const FileSet& others)
     : m_main(mainFile), m_stem(shortened(safeExportName(m_main.completeBaseName())))
 {
+    for (const auto& other : others)
+        m_others.append(QFileInfo(other->fileName()).absoluteFilePath());
 }
 
 Result<void> ExportFiles::chooseNames(const QStringList& endings)
@@ -49,7 +51,8 @@ Result<void> ExportFiles::chooseNames(const QStringList& endings)
 bool ExportFiles::isFree(const QString& name, const QStringList& existing) const
 {
     const auto isSame = [&](const QString& other) { return other.compare(name, Qt::CaseInsensitive) == 0; };
-    if (name.compare(mainName(), Qt::CaseInsensitive) == 0)
+    if (name.compare(mainName(), Qt::CaseInsensitive) == 0 ||
+        m_others.contains(QFileInfo(m_main.dir().filePath(name)).absoluteFilePath(), Qt::CaseInsensitive))
         return false;
     for (const QString& other : existing) {
         if (!isSame(other))
@@ -81,7 +84,7 @@ Result<void> ExportFiles::addMain(const QByteArray& content)
     return addMain([&](QIODevice& file) { return file.write(content) == content.size(); });
 }
 
-Result<void> ExportFiles::commit()
+Result<FileSet> ExportFiles::take()
 {
     // Another program can have made files since the names were chosen.
     const QStringList existing = namesInFolder();
@@ -96,10 +99,11 @@ Result<void> ExportFiles::commit()
         }
     }
     std::ranges::stable_partition(m_entries, &Entry::isCompanion);
-    std::vector<FileWriter*> files;
-    for (const Entry& entry : m_entries)
-        files.push_back(entry.file.get());
-    return FileWriter::commitAll(files);
+    FileSet files;
+    for (Entry& entry : m_entries)
+        files.push_back(std::move(entry.file));
+    m_entries.clear();
+    return files;
 }
 
 } // namespace espalier

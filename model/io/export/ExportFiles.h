@@ -10,6 +10,7 @@
 
 #include <concepts>
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace espalier {
@@ -23,7 +24,8 @@ namespace espalier {
 /// stem: oak_bark.png, oak_2_bark.png, oak_3_bark.png.
 class ExportFiles {
 public:
-    explicit ExportFiles(const QString& mainFile);
+    /// @p others: files that other exports are going to make; their names are not free.
+    explicit ExportFiles(const QString& mainFile, const FileSet& others = {});
 
     /// Chooses the stem of the companions so that none of the names stem + ending belongs to another file;
     /// to be called once, with all endings ("_bark.png", ".mtl"), before name(). Names that differ only in
@@ -45,8 +47,9 @@ public:
     /// Name of the main file, without its folder.
     QString mainName() const { return m_main.fileName(); }
 
-    /// Puts all files in their places, the companions before the main file, which refers to them.
-    Result<void> commit();
+    /// The files for FileWriter::commitAll(), the companions before the main file, which refers to them.
+    /// Fails if another program has taken one of the names meanwhile.
+    Result<FileSet> take();
 
 private:
     struct Entry {
@@ -71,6 +74,7 @@ private:
 
     QFileInfo m_main;
     QString m_stem;
+    QStringList m_others; ///< Absolute paths
     std::vector<Entry> m_entries;
 };
 

@@ -8,8 +8,9 @@
 
 namespace espalier {
 
-Result<void> exportTree(const Tree& tree, const TreeIndex& index, const QString& name,
-                        const QString& fileName, const ExportOptions& options, const Progress& progress)
+Result<FileSet> prepareExport(const Tree& tree, const TreeIndex& index, const QString& name,
+                              const QString& fileName, const ExportOptions& options, const Progress& progress,
+                              const FileSet& others)
 {
     const ExportFormat* const format = exportFormatOf(fileName);
     if (format == nullptr) {
@@ -28,14 +29,24 @@ Result<void> exportTree(const Tree& tree, const TreeIndex& index, const QString&
     const ExportScene scene = buildExportScene(tree, index, name, options, format->parts());
     if (!goesOn(0.3))
         return cancelled;
-    ExportFiles files(fileName);
-    if (Result<void> written = format->write(scene, files); !written)
-        return written;
+    ExportFiles files(fileName, others);
+    if (const Result<void> written = format->write(scene, files); !written)
+        return written.error();
     if (!goesOn(0.95))
         return cancelled;
-    if (Result<void> committed = files.commit(); !committed)
+    return files.take();
+}
+
+Result<void> exportTree(const Tree& tree, const TreeIndex& index, const QString& name,
+                        const QString& fileName, const ExportOptions& options, const Progress& progress)
+{
+    const Result<FileSet> files = prepareExport(tree, index, name, fileName, options, progress);
+    if (!files)
+        return files.error();
+    if (Result<void> committed = FileWriter::commitAll(*files); !committed)
         return committed;
-    goesOn(1.0);
+    if (progress)
+        progress(1.0);
     return {};
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "model/base/Error.h"
+#include "model/io/FileWriter.h"
 #include "model/io/export/ExportFormats.h"
 
 #include <functional>
@@ -21,5 +22,11 @@ using Progress = std::function<bool(double)>;
 Result<void> exportTree(const Tree& tree, const TreeIndex& index, const QString& name,
                         const QString& fileName, const ExportOptions& options = {},
                         const Progress& progress = {});
+
+/// The files of such an export, for FileWriter::commitAll(). @p others are going to be put in place with
+/// them.
+Result<FileSet> prepareExport(const Tree& tree, const TreeIndex& index, const QString& name,
+                              const QString& fileName, const ExportOptions& options = {},
+                              const Progress& progress = {}, const FileSet& others = {});
 
 } // namespace espalier

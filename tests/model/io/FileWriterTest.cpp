@@ -281,22 +281,22 @@ void FileWriterTest::filesThatBelongTogether_allStayIfOneFails()
     put(names[2], kOld);
     const QMap<QString, QByteArray> before = allFilesIn(folder);
     const auto writeAll = [&names] {
-        std::vector<std::unique_ptr<FileWriter>> writers;
-        std::vector<FileWriter*> files;
+        FileSet files;
         for (const QString& name : names) {
-            writers.push_back(std::make_unique<FileWriter>(name));
-            writers.back()->write("new");
-            files.push_back(writers.back().get());
+            files.push_back(std::make_unique<FileWriter>(name));
+            files.back()->write("new");
         }
         return FileWriter::commitAll(files);
     };
-    // Each rename is the first that fails, once.
-    for (int renames = 0; renames < 3; ++renames) {
-        const FaultyDisk disk(folder.path(), FaultyDisk::Renames{renames}, EIO);
-        const Result<void> written = writeAll();
-        QVERIFY(!written);
-        QVERIFY(written.error().message.endsWith(QStringLiteral("the disk reports an error")));
-        QCOMPARE(allFilesIn(folder), before);
+    // Each rename is the first that fails, once; where files have no second names, copies are renamed, too.
+    for (const bool hasLinks : {true, false}) {
+        for (int renames = 0; renames < (hasLinks ? 3 : 5); ++renames) {
+            const FaultyDisk disk(folder.path(), FaultyDisk::Renames{renames, hasLinks}, EIO);
+            const Result<void> written = writeAll();
+            QVERIFY(!written);
+            QVERIFY(written.error().message.endsWith(QStringLiteral("the disk reports an error")));
+            QCOMPARE(allFilesIn(folder), before);
+        }
     }
     QVERIFY(writeAll());
     for (const QString& name : names)
