@@ -47,6 +47,7 @@ wanted() { [[ "$parts" == *" $1 "* ]]; }
 
 scripts/build.sh release fault_test kill_test kill_victim soak
 if wanted faults; then QT_QPA_PLATFORM=offscreen run faults build/release/bin/fault_test --all; fi
+if wanted faults; then QT_QPA_PLATFORM=offscreen run deaths build/release/bin/fault_test --deaths --all; fi
 if wanted kills; then run kills build/release/bin/kill_test --kills 300; fi
 if wanted soak; then run soak build/release/bin/soak --operations 50000 --history 1; fi
 if wanted fuzz; then

@@ -4,6 +4,8 @@
 #include "model/io/JsonReader.h"
 
 #include <QCoreApplication>
+#include <QDateTime>
+#include <QDir>
 #include <QFile>
 #include <QFileInfo>
 #include <QRandomGenerator>
@@ -61,11 +63,29 @@ QString problemWithPlace(const QFileInfo& target)
     return {};
 }
 
+// How the names of temporary files begin: those of whole new files that wait for their names, and those of
+// old files that are kept until a set of files is complete.
+constexpr const char* kNew = ".espalier-new-";
+constexpr const char* kOld = ".espalier-old-";
+
 /// A name in the folder of @p target that no file has, and that is short, whatever the target's name.
-QByteArray freeName(const QByteArray& target)
+QByteArray freeName(const QByteArray& target, const char* beginning)
 {
     const QByteArray folder = target.first(target.lastIndexOf('/') + 1);
-    return folder + ".espalier-" + QByteArray::number(QRandomGenerator::global()->generate64(), 36);
+    return folder + beginning + QByteArray::number(QRandomGenerator::global()->generate64(), 36);
+}
+
+/// Removes new files that never got their names, since the program was killed just then. Old files stay: such
+/// a file may be all that is left of a set.
+void removeAbandoned(const QDir& folder)
+{
+    constexpr int kDays = 1; // Another program may be at work now
+    const QDateTime recently = QDateTime::currentDateTime().addDays(-kDays);
+    for (const QFileInfo& file :
+         folder.entryInfoList({QLatin1String(kNew) + QLatin1Char('*')}, QDir::Files | QDir::Hidden)) {
+        if (file.lastModified() < recently)
+            QFile::remove(file.filePath());
+    }
 }
 
 /// Path of the file that @p fileName names, or that it links to.
@@ -178,7 +198,7 @@ void FileWriter::openTemporary()
         return;
 #endif
     // Not every file system has files without a name.
-    m_temporary = freeName(m_target);
+    m_temporary = freeName(m_target, kNew);
     m_descriptor = ::open(m_temporary.constData(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, kUsual); // NOLINT
     if (m_descriptor >= 0)
         return;
@@ -191,7 +211,7 @@ void FileWriter::nameTemporary()
     if (!m_temporary.isEmpty())
         return;
     const QByteArray link = "/proc/self/fd/" + QByteArray::number(m_descriptor);
-    const QByteArray name = freeName(m_target);
+    const QByteArray name = freeName(m_target, kNew);
     if (::linkat(AT_FDCWD, link.constData(), AT_FDCWD, name.constData(), AT_SYMLINK_FOLLOW) == 0)
         m_temporary = name;
     else
@@ -271,7 +291,9 @@ Result<void> FileWriter::commit()
     if (!m_result)
         return m_result;
     m_temporary.clear();
-    syncFolder(QFileInfo(QFile::decodeName(m_target)).path());
+    const QFileInfo target(QFile::decodeName(m_target));
+    syncFolder(target.path());
+    removeAbandoned(target.dir());
     return {};
 }
 
@@ -279,7 +301,7 @@ void FileWriter::keepOld()
 {
     if (m_isDevice)
         return;
-    const QByteArray name = freeName(m_target);
+    const QByteArray name = freeName(m_target, kOld);
     if (::link(m_target.constData(), name.constData()) == 0)
         m_old = name;
 }
@@ -310,7 +332,9 @@ Result<void> FileWriter::commitAll(const std::vector<FileWriter*>& files)
             return finished;
     }
     for (std::size_t i = 0; i < files.size(); ++i) {
-        files[i]->keepOld();
+        // The last file needs no way back: it stays as it was if its commit() fails.
+        if (i + 1 < files.size())
+            files[i]->keepOld();
         const Result<void> committed = files[i]->commit();
         if (committed)
             continue;

@@ -15,9 +15,10 @@ namespace espalier {
 ///
 /// The text goes into a temporary file in the folder of the target, which has no name until it is whole, so a
 /// program that is killed leaves nothing (where the file system has such files). commit() puts that file in
-/// the target's place; until then, and if anything fails, the target stays as it was. Permissions of an
-/// existing target are kept, and a symbolic link keeps pointing to its target, which is what gets replaced. A
-/// device or a pipe (/dev/stdout) cannot be replaced: it is written to at once.
+/// the target's place; until then, and if anything fails, the target stays as it was. A program that is
+/// killed in commit() can leave a hidden file; a commit() into the same folder, a day later or more, removes
+/// it. Permissions of an existing target are kept, and a symbolic link keeps pointing to its target, which is
+/// what gets replaced. A device or a pipe (/dev/stdout) cannot be replaced: it is written to at once.
 ///
 /// Errors are sticky: after the first one, writing does nothing, and finish() and commit() return it.
 class FileWriter : public QIODevice {
@@ -36,7 +37,8 @@ public:
     Result<void> finish();
     /// Calls finish(), then replaces the target, then brings the folder to the disk.
     Result<void> commit();
-    /// Commits all files, or none: if one fails, those before it get back what they had.
+    /// Commits all files, or none: if one fails, those before it get back what they had. If the program is
+    /// killed meanwhile, some files are new, others old, and each is whole.
     static Result<void> commitAll(const std::vector<FileWriter*>& files);
 
 protected:

@@ -90,6 +90,7 @@ private Q_SLOTS:
     void pipesAndLinksInACircle_areNamed();
     void filesThatBelongTogether_allStayIfOneFails();
     void appending_isWholeOrNothing();
+    void filesOfAKilledProgram_areRemovedTheNextDay();
     void faultyDisk_leavesTheOldFilesOrTheNewOnes_data();
     void faultyDisk_leavesTheOldFilesOrTheNewOnes();
 };
@@ -324,6 +325,27 @@ void FileWriterTest::appending_isWholeOrNothing()
     QVERIFY(!appendToFile(name, "four", 9));
     QVERIFY(appendToFile(name, "four", 4));
     QCOMPARE(bytesOf(name), QByteArray("one four"));
+}
+
+void FileWriterTest::filesOfAKilledProgram_areRemovedTheNextDay()
+{
+    const QTemporaryDir folder;
+    const QString abandoned = folder.filePath(QStringLiteral(".espalier-new-1"));
+    const QString atWork = folder.filePath(QStringLiteral(".espalier-new-2"));
+    const QString keptForASet = folder.filePath(QStringLiteral(".espalier-old-1"));
+    const QString ofTheUser = folder.filePath(QStringLiteral("notes.txt"));
+    for (const QString& name : {abandoned, atWork, keptForASet, ofTheUser}) {
+        put(name, kOld);
+        QFile file(name);
+        QVERIFY(file.open(QIODevice::ReadWrite));
+        const QDateTime time = QDateTime::currentDateTime().addSecs(name == atWork ? -3600 : -100'000);
+        QVERIFY(file.setFileTime(time, QFileDevice::FileModificationTime));
+    }
+    const QString tree = folder.filePath(QStringLiteral("tree"));
+    QVERIFY(writeFile(tree, "a tree"));
+    QVERIFY(!QFile::exists(abandoned));
+    for (const QString& name : {atWork, keptForASet, ofTheUser, tree})
+        QVERIFY2(QFile::exists(name), qPrintable(name));
 }
 
 void FileWriterTest::faultyDisk_leavesTheOldFilesOrTheNewOnes_data()
