@@ -5,8 +5,6 @@
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
-#include <QMutex>
-#include <QMutexLocker>
 #include <QStandardPaths>
 
 #include <execinfo.h>
@@ -19,6 +17,7 @@
 #include <csignal>
 #include <cstring>
 #include <exception>
+#include <mutex>
 
 namespace espalier {
 
@@ -28,7 +27,7 @@ constexpr qint64 kMostBytes = 1 << 20; ///< Of one file
 constexpr int kFiles = 3;
 constexpr std::array kCrashes{SIGSEGV, SIGBUS, SIGILL, SIGFPE, SIGABRT};
 
-QMutex mutex;
+std::mutex mutex;
 /// The crash handler reads it, too.
 std::atomic<int> descriptor = -1;
 QtMessageHandler otherHandler = nullptr;
@@ -118,7 +117,7 @@ QString Log::fileName()
 void Log::open()
 {
     {
-        const QMutexLocker lock(&mutex);
+        const std::scoped_lock lock(mutex);
         QDir().mkpath(folder());
         openFile();
     }
@@ -128,14 +127,14 @@ void Log::open()
 void Log::close()
 {
     qInstallMessageHandler(otherHandler);
-    const QMutexLocker lock(&mutex);
+    const std::scoped_lock lock(mutex);
     if (const int opened = descriptor.exchange(-1); opened >= 0)
         ::close(opened);
 }
 
 void Log::note(const QString& line)
 {
-    const QMutexLocker lock(&mutex);
+    const std::scoped_lock lock(mutex);
     if (descriptor < 0)
         return;
     struct stat status = {};

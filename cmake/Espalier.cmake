@@ -41,6 +41,11 @@ if(ESPALIER_SANITISE)
     add_link_options(${sanitisers})
 endif()
 
+if(ESPALIER_THREADS)
+    add_compile_options(-fsanitize=thread -fno-omit-frame-pointer)
+    add_link_options(-fsanitize=thread)
+endif()
+
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
     # GCC collects garbage from 128 MB on, of which the precompiled headers alone take more: a seventh of the compile time.
     add_compile_options(--param=ggc-min-heapsize=1048576)

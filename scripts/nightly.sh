@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # The long forms of the tests that ./test runs in a short form: faults of disk and memory, kills, random operations,
 # fuzzers, and the tests with sanitizers. Takes some hours on two cores; the logs go to build/nightly.
-# Usage: scripts/nightly.sh [faults] [kills] [soak] [fuzz] [sanitised] [tidy]     (all when nothing is named)
+# Usage: scripts/nightly.sh [faults] [kills] [soak] [fuzz] [sanitised] [threads] [tidy]     (all when nothing is named)
 # FUZZ_SECONDS: for each target, 600 by default.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -37,16 +37,17 @@ fuzz() {
 
 scripts/setup.sh build test nightly
 for part in "${@:-all}"; do
-    [[ "$part" == all ]] || [[ "$part" =~ ^(faults|kills|soak|fuzz|sanitised|tidy)$ ]] || {
+    [[ "$part" == all ]] || [[ "$part" =~ ^(faults|kills|soak|fuzz|sanitised|threads|tidy)$ ]] || {
         echo "nightly: there is no part '$part'" >&2
         exit 1
     }
 done
-readonly parts=" ${*:-faults kills soak fuzz sanitised tidy} "
+readonly parts=" ${*:-faults kills soak fuzz sanitised threads tidy} "
 wanted() { [[ "$parts" == *" $1 "* ]]; }
 
 scripts/build.sh release fault_test kill_test kill_victim soak
 if wanted faults; then QT_QPA_PLATFORM=offscreen run faults build/release/bin/fault_test --all; fi
+if wanted faults; then QT_QPA_PLATFORM=offscreen run deaths build/release/bin/fault_test --deaths --all; fi
 if wanted kills; then run kills build/release/bin/kill_test --kills 300; fi
 if wanted soak; then run soak build/release/bin/soak --operations 50000 --history 1; fi
 if wanted fuzz; then
@@ -54,6 +55,7 @@ if wanted fuzz; then
     for target in "${targets[@]}"; do run "fuzz-$target" fuzz "$target"; done
 fi
 if wanted sanitised; then run sanitised ./test --sanitised; fi
+if wanted threads; then run threads ./test --threads; fi
 if wanted tidy; then
     scripts/build.sh tidy
     run tidy run-clang-tidy -p build/tidy -quiet '/(app|commands|model|panels|views)/[^/]*\.cpp$'

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Installs the Debian packages that are needed and missing. Prints nothing if none is missing.
-# Usage: scripts/setup.sh [build] [display] [test] [bench] [fresh] [nightly]     (build when nothing is named)
+# Usage: scripts/setup.sh [build] [display] [test] [bench] [fresh] [nightly] [threads]     (build when nothing is named)
 set -euo pipefail
 
 readonly build=(
@@ -17,6 +17,7 @@ readonly test
 readonly bench=(libbenchmark-dev)
 readonly fresh=(debootstrap)
 readonly nightly=(libclang-rt-16-dev clang-tidy)
+readonly threads=(clang-16 libclang-rt-16-dev llvm-16)
 
 fail() {
     echo "setup: $*" >&2
@@ -32,7 +33,8 @@ for group in "${@:-build}"; do
         bench) wanted+=("${bench[@]}") ;;
         fresh) wanted+=("${fresh[@]}") ;;
         nightly) wanted+=("${nightly[@]}") ;;
-        *) fail "there is no group '$group'; there are build, display, test, bench, fresh and nightly" ;;
+        threads) wanted+=("${threads[@]}") ;;
+        *) fail "there is no group '$group'; there are build, display, test, bench, fresh, nightly and threads" ;;
     esac
 done
 

@@ -75,6 +75,9 @@ Viewport::~Viewport()
     m_eraser.reset();
     m_sun.reset();
     releaseGl();
+    // The base class destroys the context after the members of this class.
+    if (context() != nullptr)
+        context()->disconnect(this);
 }
 
 void Viewport::setCamera(const Camera& camera)

@@ -232,7 +232,7 @@ Result<void> addAll(const Project& project, const QStringList& fileNames, Output
 
 Result<void> writeOutputs(const Project& project, const QStringList& fileNames)
 {
-    Outputs outputs;
+    Outputs outputs(fileNames);
     const Result<void> added = addAll(project, fileNames, outputs);
     return added ? outputs.commit() : added;
 }
@@ -340,7 +340,7 @@ Result<void> writeResults(const TreeDocument& document, const QString& name, con
     times.mesh = secondsOf(timer);
 
     timer.start();
-    Outputs outputs;
+    Outputs outputs(line.outputs + QStringList{line.picture, line.profiles, line.stats});
     Result<void> added = addAll(projectOf(document, name), line.outputs, outputs);
     times.exports = secondsOf(timer);
     if (added && !line.picture.isEmpty())
@@ -445,7 +445,7 @@ Result<void> render(const CommandLine& line)
     TreeDocument document;
     if (const Result<void> shown = showChanged(document, std::move(*project), line); !shown)
         return shown.error();
-    Outputs outputs;
+    Outputs outputs({line.picture});
     const Result<void> added = addPicture(document, line, {}, outputs);
     return added ? outputs.commit() : added;
 }

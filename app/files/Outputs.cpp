@@ -44,13 +44,17 @@ Result<void> writeRecipeOf(const Project& project, const QString& fileName)
 
 Result<void> writePicture(const QImage& picture, const QString& fileName)
 {
-    Outputs outputs;
+    Outputs outputs({fileName});
     const Result<void> added = outputs.add(picture, fileName);
     return added ? outputs.commit() : added;
 }
 
 Result<void> Outputs::add(const Project& project, const QString& fileName)
 {
+    const QString path = QFileInfo(fileName).absoluteFilePath();
+    if (m_projects.contains(path))
+        return {};
+    m_projects.append(path);
     if (isProjectName(fileName)) {
         const Result<QByteArray> bytes = packProject(project);
         if (!bytes)
@@ -59,10 +63,14 @@ Result<void> Outputs::add(const Project& project, const QString& fileName)
         return add(*bytes, fileName);
     }
     const Tree tree = shownTree(project);
-    Result<FileSet> files = prepareExport(tree, TreeIndex(tree), project.name, fileName, {}, {}, m_files);
+    QStringList others = m_names;
+    for (const FileWriter* file : m_order)
+        others.append(file->fileName());
+    Result<ExportFiles> files = prepareExport(tree, TreeIndex(tree), project.name, fileName, {}, {}, others);
     if (!files)
         return files.error();
-    std::ranges::move(*files, std::back_inserter(m_files));
+    m_exports.push_back(std::move(*files));
+    std::ranges::copy(m_exports.back().writers(), std::back_inserter(m_order));
     return {};
 }
 
@@ -72,6 +80,7 @@ Result<void> Outputs::add(const QByteArray& bytes, const QString& fileName)
     file->write(bytes);
     if (Result<void> finished = file->finish(); !finished)
         return finished;
+    m_order.push_back(file.get());
     m_files.push_back(std::move(file));
     return {};
 }
@@ -86,6 +95,15 @@ Result<void> Outputs::add(const QImage& picture, const QString& fileName)
             QCoreApplication::translate("Outputs", "%1: the picture could not be compressed").arg(fileName)};
     }
     return add(bytes, fileName);
+}
+
+Result<void> Outputs::commit()
+{
+    for (const ExportFiles& files : m_exports) {
+        if (Result<void> checked = files.checkNames(); !checked)
+            return checked;
+    }
+    return FileWriter::commitAll(m_order);
 }
 
 } // namespace espalier

@@ -6,6 +6,11 @@
 #include "model/io/project/ProjectFile.h"
 
 #include <QImage>
+#include <QStringList>
+
+#include <memory>
+#include <utility>
+#include <vector>
 
 namespace espalier {
 
@@ -24,14 +29,21 @@ Result<void> writePicture(const QImage& picture, const QString& fileName);
 /// pipe gets its bytes at once.
 class Outputs {
 public:
-    /// See writeOutput().
+    /// @p names: of all files that will be added; textures of exports get other names.
+    explicit Outputs(QStringList names) : m_names(std::move(names)) {}
+
+    /// See writeOutput(). A file that has been added is left out.
     Result<void> add(const Project& project, const QString& fileName);
     Result<void> add(const QByteArray& bytes, const QString& fileName);
     Result<void> add(const QImage& picture, const QString& fileName);
-    Result<void> commit() { return FileWriter::commitAll(m_files); }
+    Result<void> commit();
 
 private:
-    FileSet m_files;
+    QStringList m_names;
+    QStringList m_projects; ///< Absolute names of the files that were added with a project
+    std::vector<ExportFiles> m_exports;
+    std::vector<std::unique_ptr<FileWriter>> m_files; ///< All others
+    std::vector<FileWriter*> m_order;
 };
 
 } // namespace espalier

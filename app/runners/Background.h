@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "model/base/HandOver.h"
 #include "model/base/WithinMemory.h"
 
 #include <QCoreApplication>
@@ -39,21 +40,31 @@ inline QThreadPool& backgroundThreads()
 template <class Work, class Done>
 void runInBackground(QObject* owner, Work work, Done done)
 {
-    backgroundThreads().start(
-        [guard = QPointer<QObject>(owner), work = std::move(work), done = std::move(done)]() mutable {
+    backgroundThreads().start([guard = QPointer<QObject>(owner), work = std::move(work),
+                               done = std::move(done), handOver = HandOver()]() mutable {
+        handOver.take();
 #ifdef Q_OS_LINUX
-            // With few cores, the window must come first. Linux ignores Qt's thread priorities.
-            setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()), kBackgroundNiceness);
+        // With few cores, the window must come first. Linux ignores Qt's thread priorities.
+        setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()), kBackgroundNiceness);
 #endif
-            auto result = std::make_shared<decltype(work())>(withinMemory(work));
-            QMetaObject::invokeMethod(
-                QCoreApplication::instance(),
-                [guard = std::move(guard), result, done = std::move(done)]() mutable {
+        auto result = std::make_shared<decltype(work())>(withinMemory(work));
+        QMetaObject::invokeMethod(
+            QCoreApplication::instance(),
+            [guard = std::move(guard), result = std::move(result), done = std::move(done),
+             back = HandOver()]() mutable {
+                back.take();
+                {
+                    // What the work and its end have brought is destroyed here: Qt lets the worker destroy
+                    // this lambda if the worker is the last to leave it.
+                    const auto taken = std::move(result);
+                    auto finish = std::move(done);
                     if (guard)
-                        done(std::move(*result));
-                },
-                Qt::QueuedConnection);
-        });
+                        finish(std::move(*taken));
+                }
+                back.give();
+            },
+            Qt::QueuedConnection);
+    });
 }
 
 } // namespace espalier

@@ -4,6 +4,8 @@
 #include "model/io/JsonReader.h"
 
 #include <QCoreApplication>
+#include <QDateTime>
+#include <QDir>
 #include <QFile>
 #include <QFileInfo>
 #include <QRandomGenerator>
@@ -61,11 +63,29 @@ QString problemWithPlace(const QFileInfo& target)
     return {};
 }
 
+// How the names of temporary files begin: those of whole new files that wait for their names, and those of
+// old files that are kept until a set of files is complete.
+constexpr const char* kNew = ".espalier-new-";
+constexpr const char* kOld = ".espalier-old-";
+
 /// A name in the folder of @p target that no file has, and that is short, whatever the target's name.
-QByteArray freeName(const QByteArray& target)
+QByteArray freeName(const QByteArray& target, const char* beginning)
 {
     const QByteArray folder = target.first(target.lastIndexOf('/') + 1);
-    return folder + ".espalier-" + QByteArray::number(QRandomGenerator::global()->generate64(), 36);
+    return folder + beginning + QByteArray::number(QRandomGenerator::global()->generate64(), 36);
+}
+
+/// Removes new files that never got their names, since the program was killed just then. Old files stay: such
+/// a file may be all that is left of a set.
+void removeAbandoned(const QDir& folder)
+{
+    constexpr int kDays = 1; // Another program may be at work now
+    const QDateTime recently = QDateTime::currentDateTime().addDays(-kDays);
+    for (const QFileInfo& file :
+         folder.entryInfoList({QLatin1String(kNew) + QLatin1Char('*')}, QDir::Files | QDir::Hidden)) {
+        if (file.lastModified() < recently)
+            QFile::remove(file.filePath());
+    }
 }
 
 /// Path of the file that @p fileName names, or that it links to.
@@ -78,6 +98,18 @@ QByteArray realPath(const QString& fileName)
     for (int i = 0; i < kMostLinks && file.isSymLink(); ++i)
         file.setFile(file.symLinkTarget());
     return QFile::encodeName(file.absoluteFilePath());
+}
+
+/// Returns false if the source cannot be read.
+bool copyContent(QFile& source, FileWriter& target)
+{
+    while (!source.atEnd()) {
+        const QByteArray block = source.read(kBlock);
+        if (block.isEmpty() && source.error() != QFileDevice::NoError)
+            return false;
+        target.write(block);
+    }
+    return true;
 }
 
 } // namespace
@@ -145,7 +177,6 @@ void FileWriter::openTarget()
         fail(errno);
         return;
     }
-    m_isNew = !isThere;
     m_isDevice = isThere && !S_ISREG(status.st_mode) && !S_ISDIR(status.st_mode);
     if (m_isDevice) {
         // Without a program that reads from it, opening a pipe would wait for ever.
@@ -178,7 +209,7 @@ void FileWriter::openTemporary()
         return;
 #endif
     // Not every file system has files without a name.
-    m_temporary = freeName(m_target);
+    m_temporary = freeName(m_target, kNew);
     m_descriptor = ::open(m_temporary.constData(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, kUsual); // NOLINT
     if (m_descriptor >= 0)
         return;
@@ -191,7 +222,7 @@ void FileWriter::nameTemporary()
     if (!m_temporary.isEmpty())
         return;
     const QByteArray link = "/proc/self/fd/" + QByteArray::number(m_descriptor);
-    const QByteArray name = freeName(m_target);
+    const QByteArray name = freeName(m_target, kNew);
     if (::linkat(AT_FDCWD, link.constData(), AT_FDCWD, name.constData(), AT_SYMLINK_FOLLOW) == 0)
         m_temporary = name;
     else
@@ -205,6 +236,8 @@ void FileWriter::fail(int number)
 
 void FileWriter::fail(const QString& reason)
 {
+    if (m_result)
+        m_reason = reason;
     if (!m_result)
         return;
     m_result = Error{Error::Kind::Output, inputError(QFileInfo(m_fileName).fileName(), reason).message};
@@ -271,22 +304,36 @@ Result<void> FileWriter::commit()
     if (!m_result)
         return m_result;
     m_temporary.clear();
-    syncFolder(QFileInfo(QFile::decodeName(m_target)).path());
+    const QFileInfo target(QFile::decodeName(m_target));
+    syncFolder(target.path());
+    removeAbandoned(target.dir());
     return {};
 }
 
 Result<void> FileWriter::keepOld()
 {
-    if (m_isDevice || m_isNew)
+    if (m_isDevice || ::access(m_target.constData(), F_OK) != 0)
         return {};
-    const QByteArray name = freeName(m_target);
-    // Some file systems have no second names for a file: there it is a copy.
-    if (::link(m_target.constData(), name.constData()) != 0) {
-        if (Result<void> copied = copyFile(QFile::decodeName(m_target), QFile::decodeName(name)); !copied)
-            return copied;
+    const QByteArray name = freeName(m_target, kOld);
+    if (::link(m_target.constData(), name.constData()) == 0) {
+        m_old = name;
+        return {};
     }
-    m_old = name;
-    return {};
+    // Some file systems have no second names for a file: there it is a copy.
+    QFile target(QFile::decodeName(m_target));
+    FileWriter copy(QFile::decodeName(name));
+    struct stat status = {};
+    if (!target.open(QIODevice::ReadOnly))
+        fail(target.errorString());
+    else if (copy.m_descriptor >= 0 && ::fstat(target.handle(), &status) == 0)
+        ::fchmod(copy.m_descriptor, status.st_mode & 07777U);
+    if (m_result && !copyContent(target, copy))
+        fail(target.errorString());
+    if (m_result && !copy.commit())
+        fail(copy.m_reason);
+    if (m_result)
+        m_old = name;
+    return m_result;
 }
 
 void FileWriter::dropOld()
@@ -299,35 +346,37 @@ void FileWriter::restoreOld()
 {
     if (m_isDevice)
         return;
-    if (m_old.isEmpty() && m_isNew)
+    if (m_old.isEmpty()) {
         ::unlink(m_target.constData());
-    else if (!m_old.isEmpty()) {
-        // If that fails, the old content stays under the other name.
-        static_cast<void>(::rename(m_old.constData(), m_target.constData()));
-        m_old.clear();
+        return;
     }
+    // If that fails, the old content stays under the other name.
+    static_cast<void>(::rename(m_old.constData(), m_target.constData()));
+    m_old.clear();
 }
 
-Result<void> FileWriter::commitAll(const FileSet& files)
+Result<void> FileWriter::commitAll(const std::vector<FileWriter*>& files)
 {
-    for (const auto& file : files) {
-        if (Result<void> finished = file->finish(); !finished)
-            return finished;
+    Result<void> done;
+    for (FileWriter* file : files) {
+        if (done)
+            done = file->finish();
     }
-    for (std::size_t i = 0; i < files.size(); ++i) {
-        Result<void> committed = files[i]->keepOld();
-        if (committed)
-            committed = files[i]->commit();
-        if (committed)
-            continue;
-        files[i]->dropOld();
-        while (i-- > 0)
-            files[i]->restoreOld();
-        return committed;
+    // The last file needs no way back: it stays as it was if its commit() fails.
+    for (std::size_t i = 0; done && i + 1 < files.size(); ++i)
+        done = files[i]->keepOld();
+    std::size_t committed = 0;
+    while (done && committed < files.size()) {
+        done = files[committed]->commit();
+        committed += done ? 1 : 0;
     }
-    for (const auto& file : files)
+    if (!done) {
+        while (committed-- > 0)
+            files[committed]->restoreOld();
+    }
+    for (FileWriter* file : files)
         file->dropOld();
-    return {};
+    return done;
 }
 
 Result<void> writeFile(const QString& fileName, const QByteArray& bytes)
@@ -378,16 +427,9 @@ Result<void> appendToFile(const QString& fileName, const QByteArray& bytes, qint
 Result<void> copyFile(const QString& from, const QString& to)
 {
     QFile source(from);
-    const auto unreadable = [&] { return inputError(QFileInfo(from).fileName(), source.errorString()); };
-    if (!source.open(QIODevice::ReadOnly))
-        return unreadable();
     FileWriter writer(to);
-    while (!source.atEnd()) {
-        const QByteArray block = source.read(kBlock);
-        if (block.isEmpty() && source.error() != QFileDevice::NoError)
-            return unreadable();
-        writer.write(block);
-    }
+    if (!source.open(QIODevice::ReadOnly) || !copyContent(source, writer))
+        return inputError(QFileInfo(from).fileName(), source.errorString());
     return writer.commit();
 }
 

@@ -6,23 +6,19 @@
 #include <QByteArray>
 #include <QIODevice>
 
-#include <memory>
 #include <vector>
 
 namespace espalier {
-
-class FileWriter;
-/// Files that belong together.
-using FileSet = std::vector<std::unique_ptr<FileWriter>>;
 
 /// A file that is being written. All code of this program writes files through this class
 /// (scripts/check-writers.py checks that).
 ///
 /// The text goes into a temporary file in the folder of the target, which has no name until it is whole, so a
 /// program that is killed leaves nothing (where the file system has such files). commit() puts that file in
-/// the target's place; until then, and if anything fails, the target stays as it was. Permissions of an
-/// existing target are kept, and a symbolic link keeps pointing to its target, which is what gets replaced. A
-/// device or a pipe (/dev/stdout) cannot be replaced: it is written to at once.
+/// the target's place; until then, and if anything fails, the target stays as it was. A program that is
+/// killed in commit() can leave a hidden file; a commit() into the same folder, a day later or more, removes
+/// it. Permissions of an existing target are kept, and a symbolic link keeps pointing to its target, which is
+/// what gets replaced. A device or a pipe (/dev/stdout) cannot be replaced: it is written to at once.
 ///
 /// Errors are sticky: after the first one, writing does nothing, and finish() and commit() return it.
 class FileWriter : public QIODevice {
@@ -41,8 +37,9 @@ public:
     Result<void> finish();
     /// Calls finish(), then replaces the target, then brings the folder to the disk.
     Result<void> commit();
-    /// Commits all files, or none: if one fails, those before it get back what they had.
-    static Result<void> commitAll(const FileSet& files);
+    /// Commits all files, or none: if one fails, those before it get back what they had. If the program is
+    /// killed meanwhile, some files are new, others old, and each is whole.
+    static Result<void> commitAll(const std::vector<FileWriter*>& files);
 
 protected:
     qint64 readData(char*, qint64) override { return -1; }
@@ -70,9 +67,9 @@ private:
     QByteArray m_old;       ///< Path of what the target held; empty if it is not kept
     int m_descriptor = -1;
     bool m_isDevice = false; ///< The target is a device or a pipe
-    bool m_isNew = false;    ///< There was no target before
     bool m_isFinished = false;
     QByteArray m_block; ///< Small pieces that wait to be written together
+    QString m_reason;   ///< Of the first failure
     Result<void> m_result;
 };
 

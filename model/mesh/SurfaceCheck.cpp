@@ -4,8 +4,6 @@
 #include "model/base/Parallel.h"
 #include "model/mesh/Weld.h"
 
-#include <tbb/parallel_invoke.h>
-
 #include <algorithm>
 #include <atomic>
 #include <bit>
@@ -165,7 +163,7 @@ private:
     static void inParallel(std::size_t size, First&& first, Second&& second)
     {
         if (size > kTrianglesPerBranch) {
-            tbb::parallel_invoke(first, second);
+            espalier::inParallel(first, second);
             return;
         }
         first();

@@ -5,11 +5,10 @@
 #include <QColorSpace>
 #include <QCryptographicHash>
 #include <QImageReader>
-#include <QMutex>
-#include <QMutexLocker>
 
 #include <algorithm>
 #include <deque>
+#include <mutex>
 
 namespace espalier {
 
@@ -47,14 +46,14 @@ public:
     QImage of(const QString& hash, const QByteArray& file)
     {
         {
-            const QMutexLocker lock(&m_mutex);
+            const std::scoped_lock lock(m_mutex);
             for (const auto& [known, image] : m_images) {
                 if (known == hash)
                     return image;
             }
         }
         QImage image = unpack(file);
-        const QMutexLocker lock(&m_mutex);
+        const std::scoped_lock lock(m_mutex);
         m_images.emplace_back(hash, image);
         if (m_images.size() > kKept)
             m_images.pop_front();
@@ -64,7 +63,7 @@ public:
 private:
     static constexpr std::size_t kKept = 6;
 
-    QMutex m_mutex;
+    std::mutex m_mutex;
     std::deque<std::pair<QString, QImage>> m_images;
 };
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "panels/library/LibraryCards.h"
 
+#include "model/base/HandOver.h"
+
 #include <QCoreApplication>
 #include <QLocale>
 #include <QPointer>
@@ -114,17 +116,21 @@ const LibraryCards::Picture& LibraryCards::picture(const LibraryEntry& entry) co
         return *known;
     // The first call starts the reading. data() is const, but the result is a change of this object.
     auto* self = const_cast<LibraryCards*>(this);
-    m_readers.start(
-        [guard = QPointer<LibraryCards>(self), key, fileName = entry.fileName, readPicture = m_readPicture] {
-            auto read = std::make_shared<Result<QImage>>(readPicture(fileName));
-            QMetaObject::invokeMethod(
-                QCoreApplication::instance(),
-                [guard, key, fileName, read] {
-                    if (guard)
-                        guard->takePicture(key, fileName, *read);
-                },
-                Qt::QueuedConnection);
-        });
+    m_readers.start([guard = QPointer<LibraryCards>(self), key, fileName = entry.fileName,
+                     readPicture = m_readPicture, handOver = HandOver()] {
+        handOver.take();
+        auto read = std::make_shared<Result<QImage>>(readPicture(fileName));
+        QMetaObject::invokeMethod(
+            QCoreApplication::instance(),
+            [guard, key, fileName, read = std::move(read), back = HandOver()]() mutable {
+                back.take();
+                if (guard)
+                    guard->takePicture(key, fileName, *read);
+                read.reset(); // Not by the other thread, which may be the last to leave this lambda
+                back.give();
+            },
+            Qt::QueuedConnection);
+    });
     return *m_pictures.insert(key, {});
 }
 

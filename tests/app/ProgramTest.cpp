@@ -40,6 +40,7 @@ private Q_SLOTS:
     void failures_areOneLineAndACode();
     void failedOutput_leavesTheOldFile();
     void failedOutput_leavesTheOthersOut();
+    void texturesOfAnOutput_leaveTheOthersTheirNames();
     void diskThatTakesNothing_leavesOldFilesAndFails_data();
     void diskThatTakesNothing_leavesOldFilesAndFails();
     void fullDisk_isSaidInWords();
@@ -528,6 +529,18 @@ void ProgramTest::failedOutput_leavesTheOthersOut()
     QVERIFY(outcome.code != 0);
     QCOMPARE(read("t.obj"), QByteArray("old"));
     QCOMPARE(QDir(m_folder->path()).entryList(QDir::Files), before);
+}
+
+void ProgramTest::texturesOfAnOutput_leaveTheOthersTheirNames()
+{
+    runWell(
+        {"replay", "r.json", "-o", "oak.obj", "-o", "oak.obj", "-o", "oak.fbx", "--stats", "oak_bark.png"});
+    QVERIFY(read("oak_bark.png").startsWith('{'));
+    QVERIFY(read("oak.mtl").isEmpty());
+    QVERIFY(read("oak_2.mtl").contains("oak_2_bark.png"));
+    QVERIFY(read("oak_2_bark.png").startsWith("\x89PNG"));
+    QVERIFY(read("oak.fbx").contains("oak_3_bark.png"));
+    QVERIFY(read("oak_4_bark.png").isEmpty());
 }
 
 void ProgramTest::diskThatTakesNothing_leavesOldFilesAndFails_data()

@@ -87,8 +87,7 @@ void GltfTest::sample_isValid()
     const QString fileName = folder.filePath(QStringLiteral("tree.glb"));
     ExportFiles files(fileName);
     QVERIFY(exportFormatOf(fileName)->write(scene, files));
-    const Result<FileSet> made = files.take();
-    QVERIFY(made && FileWriter::commitAll(*made));
+    QVERIFY(files.commit());
     const QByteArray output = validate(fileName);
     QVERIFY2(output == kValid, output.constData());
 

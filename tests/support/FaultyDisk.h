@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QByteArray>
 #include <QString>
 
 namespace espalier::test {
@@ -26,6 +27,16 @@ public:
     };
     /// The rename after @p renames.good good ones fails, and nothing else.
     FaultyDisk(const QString& folder, Renames renames, int error);
+    /// When, during a call, the process is killed. HalfWay: half of the bytes are written; for calls other
+    /// than write the same as After.
+    enum class Moment { Before, HalfWay, After };
+    struct Death {
+        int call; ///< From 0; kNever if only the calls are noted
+        Moment moment;
+    };
+    /// The process is killed (SIGKILL) at a call. More calls count here: all that could change what a folder
+    /// or a file holds, see trace().
+    FaultyDisk(const QString& folder, Death death);
     ~FaultyDisk();
     FaultyDisk(const FaultyDisk&) = delete;
     FaultyDisk& operator=(const FaultyDisk&) = delete;
@@ -34,6 +45,10 @@ public:
     int calls() const;
     /// How many of them came before the first one that gives a file its name.
     int callsBeforeNaming() const;
+    /// With Death: the calls so far in their order, a letter for each one. o: a file is made, w: write, s:
+    /// fsync and fdatasync, m: the permissions are set, t: a file is truncated, l: a file gets a name, r:
+    /// rename, u: unlink, c: a file that was written to is closed.
+    QByteArray trace() const;
 };
 
 } // namespace espalier::test

@@ -26,11 +26,11 @@ QString shortened(QString stem)
 
 } // namespace
 
-ExportFiles::ExportFiles(const QString& mainFile, const FileSet& others)
+ExportFiles::ExportFiles(const QString& mainFile, const QStringList& others)
     : m_main(mainFile), m_stem(shortened(safeExportName(m_main.completeBaseName())))
 {
-    for (const auto& other : others)
-        m_others.append(QFileInfo(other->fileName()).absoluteFilePath());
+    for (const QString& other : others)
+        m_others.append(QFileInfo(other).absoluteFilePath());
 }
 
 Result<void> ExportFiles::chooseNames(const QStringList& endings)
@@ -84,9 +84,8 @@ Result<void> ExportFiles::addMain(const QByteArray& content)
     return addMain([&](QIODevice& file) { return file.write(content) == content.size(); });
 }
 
-Result<FileSet> ExportFiles::take()
+Result<void> ExportFiles::checkNames() const
 {
-    // Another program can have made files since the names were chosen.
     const QStringList existing = namesInFolder();
     for (const Entry& entry : m_entries) {
         const QString name = QFileInfo(entry.file->fileName()).fileName();
@@ -98,12 +97,25 @@ Result<FileSet> ExportFiles::take()
                     .message};
         }
     }
-    std::ranges::stable_partition(m_entries, &Entry::isCompanion);
-    FileSet files;
-    for (Entry& entry : m_entries)
-        files.push_back(std::move(entry.file));
-    m_entries.clear();
+    return {};
+}
+
+std::vector<FileWriter*> ExportFiles::writers() const
+{
+    std::vector<FileWriter*> files;
+    for (const bool isCompanion : {true, false}) {
+        for (const Entry& entry : m_entries) {
+            if (entry.isCompanion == isCompanion)
+                files.push_back(entry.file.get());
+        }
+    }
     return files;
+}
+
+Result<void> ExportFiles::commit()
+{
+    const Result<void> checked = checkNames();
+    return checked ? FileWriter::commitAll(writers()) : checked;
 }
 
 } // namespace espalier

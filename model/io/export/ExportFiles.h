@@ -24,8 +24,9 @@ namespace espalier {
 /// stem: oak_bark.png, oak_2_bark.png, oak_3_bark.png.
 class ExportFiles {
 public:
-    /// @p others: files that other exports are going to make; their names are not free.
-    explicit ExportFiles(const QString& mainFile, const FileSet& others = {});
+    /// @p others: files that are going to be written, too; their names are not free.
+    explicit ExportFiles(const QString& mainFile, const QStringList& others = {});
+    ExportFiles(ExportFiles&&) = default;
 
     /// Chooses the stem of the companions so that none of the names stem + ending belongs to another file;
     /// to be called once, with all endings ("_bark.png", ".mtl"), before name(). Names that differ only in
@@ -47,9 +48,12 @@ public:
     /// Name of the main file, without its folder.
     QString mainName() const { return m_main.fileName(); }
 
+    /// Fails if another program has taken one of the names since they were chosen.
+    Result<void> checkNames() const;
     /// The files for FileWriter::commitAll(), the companions before the main file, which refers to them.
-    /// Fails if another program has taken one of the names meanwhile.
-    Result<FileSet> take();
+    std::vector<FileWriter*> writers() const;
+    /// Checks the names and puts all files in their places.
+    Result<void> commit();
 
 private:
     struct Entry {

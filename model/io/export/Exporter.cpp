@@ -8,9 +8,9 @@
 
 namespace espalier {
 
-Result<FileSet> prepareExport(const Tree& tree, const TreeIndex& index, const QString& name,
-                              const QString& fileName, const ExportOptions& options, const Progress& progress,
-                              const FileSet& others)
+Result<ExportFiles> prepareExport(const Tree& tree, const TreeIndex& index, const QString& name,
+                                  const QString& fileName, const ExportOptions& options,
+                                  const Progress& progress, const QStringList& others)
 {
     const ExportFormat* const format = exportFormatOf(fileName);
     if (format == nullptr) {
@@ -34,16 +34,16 @@ Result<FileSet> prepareExport(const Tree& tree, const TreeIndex& index, const QS
         return written.error();
     if (!goesOn(0.95))
         return cancelled;
-    return files.take();
+    return files;
 }
 
 Result<void> exportTree(const Tree& tree, const TreeIndex& index, const QString& name,
                         const QString& fileName, const ExportOptions& options, const Progress& progress)
 {
-    const Result<FileSet> files = prepareExport(tree, index, name, fileName, options, progress);
+    Result<ExportFiles> files = prepareExport(tree, index, name, fileName, options, progress);
     if (!files)
         return files.error();
-    if (Result<void> committed = FileWriter::commitAll(*files); !committed)
+    if (Result<void> committed = files->commit(); !committed)
         return committed;
     if (progress)
         progress(1.0);

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "model/base/Error.h"
-#include "model/io/FileWriter.h"
+#include "model/io/export/ExportFiles.h"
 #include "model/io/export/ExportFormats.h"
 
 #include <functional>
@@ -23,10 +23,9 @@ Result<void> exportTree(const Tree& tree, const TreeIndex& index, const QString&
                         const QString& fileName, const ExportOptions& options = {},
                         const Progress& progress = {});
 
-/// The files of such an export, for FileWriter::commitAll(). @p others are going to be put in place with
-/// them.
-Result<FileSet> prepareExport(const Tree& tree, const TreeIndex& index, const QString& name,
-                              const QString& fileName, const ExportOptions& options = {},
-                              const Progress& progress = {}, const FileSet& others = {});
+/// The files of such an export, whole but not in their places yet. @p others: see ExportFiles.
+Result<ExportFiles> prepareExport(const Tree& tree, const TreeIndex& index, const QString& name,
+                                  const QString& fileName, const ExportOptions& options = {},
+                                  const Progress& progress = {}, const QStringList& others = {});
 
 } // namespace espalier

@@ -216,7 +216,7 @@ void ExportFilesTest::fileThatAppearsMeanwhile_stays()
     QVERIFY(files.addCompanion(QStringLiteral("_bark.png"), pngOf(repeatingBark(32, 32))));
     QVERIFY(files.addMain(QByteArray("model")));
     QVERIFY(putBytes(folder.filePath(QStringLiteral("oak_bark.png")), "theirs"));
-    const Result<FileSet> committed = files.take();
+    const Result<void> committed = files.commit();
     QVERIFY(!committed);
     QVERIFY2(committed.error().message.startsWith(QStringLiteral("oak_bark.png: another program")),
              qPrintable(committed.error().message));

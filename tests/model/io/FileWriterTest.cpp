@@ -90,6 +90,7 @@ private Q_SLOTS:
     void pipesAndLinksInACircle_areNamed();
     void filesThatBelongTogether_allStayIfOneFails();
     void appending_isWholeOrNothing();
+    void filesOfAKilledProgram_areRemovedTheNextDay();
     void faultyDisk_leavesTheOldFilesOrTheNewOnes_data();
     void faultyDisk_leavesTheOldFilesOrTheNewOnes();
 };
@@ -279,23 +280,31 @@ void FileWriterTest::filesThatBelongTogether_allStayIfOneFails()
                             folder.filePath(QStringLiteral("c"))};
     put(names[0], kOld);
     put(names[2], kOld);
+    const auto kPrivate = QFileDevice::ReadOwner | QFileDevice::WriteOwner;
+    QVERIFY(QFile::setPermissions(names[0], kPrivate));
     const QMap<QString, QByteArray> before = allFilesIn(folder);
     const auto writeAll = [&names] {
-        FileSet files;
+        std::vector<std::unique_ptr<FileWriter>> writers;
+        std::vector<FileWriter*> files;
         for (const QString& name : names) {
-            files.push_back(std::make_unique<FileWriter>(name));
-            files.back()->write("new");
+            writers.push_back(std::make_unique<FileWriter>(name));
+            writers.back()->write("new");
+            files.push_back(writers.back().get());
         }
         return FileWriter::commitAll(files);
     };
     // Each rename is the first that fails, once; where files have no second names, copies are renamed, too.
     for (const bool hasLinks : {true, false}) {
-        for (int renames = 0; renames < (hasLinks ? 3 : 5); ++renames) {
+        for (int renames = 0; renames < (hasLinks ? 3 : 4); ++renames) {
             const FaultyDisk disk(folder.path(), FaultyDisk::Renames{renames, hasLinks}, EIO);
             const Result<void> written = writeAll();
             QVERIFY(!written);
             QVERIFY(written.error().message.endsWith(QStringLiteral("the disk reports an error")));
+            QVERIFY2(!written.error().message.contains(QStringLiteral(".espalier")),
+                     qPrintable(written.error().message));
             QCOMPARE(allFilesIn(folder), before);
+            QCOMPARE(QFile::permissions(names[0]) & ~(QFileDevice::ReadUser | QFileDevice::WriteUser),
+                     kPrivate);
         }
     }
     QVERIFY(writeAll());
@@ -324,6 +333,27 @@ void FileWriterTest::appending_isWholeOrNothing()
     QVERIFY(!appendToFile(name, "four", 9));
     QVERIFY(appendToFile(name, "four", 4));
     QCOMPARE(bytesOf(name), QByteArray("one four"));
+}
+
+void FileWriterTest::filesOfAKilledProgram_areRemovedTheNextDay()
+{
+    const QTemporaryDir folder;
+    const QString abandoned = folder.filePath(QStringLiteral(".espalier-new-1"));
+    const QString atWork = folder.filePath(QStringLiteral(".espalier-new-2"));
+    const QString keptForASet = folder.filePath(QStringLiteral(".espalier-old-1"));
+    const QString ofTheUser = folder.filePath(QStringLiteral("notes.txt"));
+    for (const QString& name : {abandoned, atWork, keptForASet, ofTheUser}) {
+        put(name, kOld);
+        QFile file(name);
+        QVERIFY(file.open(QIODevice::ReadWrite));
+        const QDateTime time = QDateTime::currentDateTime().addSecs(name == atWork ? -3600 : -100'000);
+        QVERIFY(file.setFileTime(time, QFileDevice::FileModificationTime));
+    }
+    const QString tree = folder.filePath(QStringLiteral("tree"));
+    QVERIFY(writeFile(tree, "a tree"));
+    QVERIFY(!QFile::exists(abandoned));
+    for (const QString& name : {atWork, keptForASet, ofTheUser, tree})
+        QVERIFY2(QFile::exists(name), qPrintable(name));
 }
 
 void FileWriterTest::faultyDisk_leavesTheOldFilesOrTheNewOnes_data()
