@@ -348,8 +348,10 @@ void MainWindow::updateTitle()
 {
     const DocumentFile& file = m_files->file();
     setWindowTitle(tr("%1[*] – Espalier").arg(file.displayName()));
-    setWindowModified(file.isModified());
-    m_workspace->topBar().setTitle(file.displayName(), file.isModified());
+    // Until a file is whole, nothing is saved.
+    const bool isModified = file.isModified() || file.isSaving();
+    setWindowModified(isModified);
+    m_workspace->topBar().setTitle(file.displayName(), isModified);
 }
 
 void MainWindow::changeEvent(QEvent* event)

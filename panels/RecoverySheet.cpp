@@ -13,7 +13,6 @@
 #include <QScrollBar>
 #include <QVBoxLayout>
 
-#include <algorithm>
 #include <array>
 
 namespace espalier {
@@ -22,7 +21,7 @@ namespace {
 
 constexpr QSize kRecoveryPicture(176, 176); // px
 constexpr int kTextWidth = 220;             // px
-constexpr int kMostRowsShown = 2;           ///< Without scrolling
+constexpr unsigned kMostRowsShown = 2;      ///< Without scrolling
 constexpr int kPeek = 70;                   ///< What shows of the next row, px
 constexpr int kRowGap = 18;                 // px
 constexpr double kDiscardedOpacity = 0.35;
@@ -63,6 +62,7 @@ private:
         QString begin; ///< Of the caption
     };
     Frame makeFrame(QGridLayout& grid, int column, const QString& title, const QDateTime& time);
+    static void setCaption(const Frame& frame, const QString& caption);
     void showDiscarded();
 
     std::array<Frame, 2> m_frames;
@@ -106,7 +106,7 @@ RecoveryRow::RecoveryRow(const RecoverableTree& tree, QWidget* parent)
     m_note->setSizePolicy(keepsRoom);
     for (QPushButton* button : {m_bringBack, m_discard}) {
         button->setMinimumSize(120, theme::kTarget);
-        button->setAutoDefault(false);
+        button->setAutoDefault(true);
     }
     m_bringBack->setAccessibleName(tr("Bring back %1").arg(tree.name));
     m_discard->setAccessibleName(tr("Discard %1").arg(tree.name));
@@ -145,12 +145,13 @@ RecoveryRow::Frame RecoveryRow::makeFrame(QGridLayout& grid, int column, const Q
     frame.picture->setProperty("picture", true);
     frame.picture->setAccessibleName(title);
     frame.begin = title + QLatin1Char('\n') + timeText(time);
-    frame.caption = new QLabel(frame.begin + QLatin1Char('\n'), m_pictures);
+    frame.caption = new QLabel(m_pictures);
     frame.caption->setTextFormat(Qt::PlainText);
     frame.caption->setWordWrap(true);
     frame.caption->setFixedWidth(kRecoveryPicture.width());
     frame.caption->setAlignment(Qt::AlignLeft | Qt::AlignTop);
     theme::setTone(*frame.caption, theme::Tone::Dim);
+    setCaption(frame, QStringLiteral(" "));
     grid.addWidget(frame.picture, 0, column);
     grid.addWidget(frame.caption, 1, column, Qt::AlignTop);
     return frame;
@@ -165,7 +166,13 @@ void RecoveryRow::showState(RecoverySheet::State state, const QImage& picture, c
         frame.picture->setText(tr("No picture"));
     else
         frame.picture->setPixmap(QPixmap::fromImage(picture));
+    setCaption(frame, caption);
+}
+
+void RecoveryRow::setCaption(const Frame& frame, const QString& caption)
+{
     frame.caption->setText(frame.begin + QLatin1Char('\n') + caption);
+    frame.caption->setMinimumHeight(frame.caption->heightForWidth(kRecoveryPicture.width()));
 }
 
 void RecoveryRow::showDiscarded()
@@ -214,17 +221,13 @@ RecoverySheet::RecoverySheet(const std::vector<RecoverableTree>& trees, QWidget*
     scroll->setWidgetResizable(true);
     scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     scroll->setWidget(list);
-    const int shown = std::min(static_cast<int>(m_rows.size()), kMostRowsShown);
-    const QSize content = list->sizeHint();
-    const int rowHeight = m_rows.front()->sizeHint().height();
-    scroll->setMinimumWidth(content.width() + scroll->verticalScrollBar()->sizeHint().width() + 6);
-    const bool hasMore = m_rows.size() > static_cast<std::size_t>(shown);
-    scroll->setMinimumHeight(shown * rowHeight + (shown - 1) * kRowGap + (hasMore ? kRowGap + kPeek : 0));
+    m_scroll = scroll;
 
     m_end->setMinimumSize(120, theme::kTarget);
-    m_end->setAutoDefault(false);
+    m_end->setAutoDefault(true);
     m_end->setObjectName(QStringLiteral("recoveryEnd"));
-    connect(m_end, &QPushButton::clicked, this, &QDialog::reject);
+    // Escape leaves everything as it is.
+    connect(m_end, &QPushButton::clicked, this, [this] { done(marked().empty() ? Rejected : Accepted); });
     auto* last = new QHBoxLayout;
     last->addStretch(1);
     last->addWidget(m_end);
@@ -237,11 +240,28 @@ RecoverySheet::RecoverySheet(const std::vector<RecoverableTree>& trees, QWidget*
     m_rows.front()->bringBack()->setDefault(true);
     m_rows.front()->bringBack()->setFocus();
     showEnd();
+    fit();
+}
+
+/// Gives the first rows the room that they need now.
+void RecoverySheet::fit()
+{
+    QWidget& list = *m_scroll->widget();
+    int height = 0;
+    for (std::size_t i = 0; i < m_rows.size() && i < kMostRowsShown; ++i) {
+        m_rows[i]->layout()->activate();
+        height += m_rows[i]->sizeHint().height() + (i > 0 ? kRowGap : 0);
+    }
+    list.layout()->activate();
+    const bool hasMore = m_rows.size() > kMostRowsShown;
+    const int width = list.sizeHint().width() + m_scroll->verticalScrollBar()->sizeHint().width() + 6;
+    m_scroll->setMinimumSize(width, height + (hasMore ? kRowGap + kPeek : 0));
 }
 
 void RecoverySheet::showState(std::size_t tree, State state, const QImage& picture, const QString& caption)
 {
     m_rows.at(tree)->showState(state, picture, caption);
+    fit();
 }
 
 QSize RecoverySheet::pictureSize() const
@@ -250,6 +270,11 @@ QSize RecoverySheet::pictureSize() const
 }
 
 std::vector<std::size_t> RecoverySheet::discarded() const
+{
+    return result() == Accepted ? marked() : std::vector<std::size_t>();
+}
+
+std::vector<std::size_t> RecoverySheet::marked() const
 {
     std::vector<std::size_t> indices;
     for (std::size_t i = 0; i < m_rows.size(); ++i) {
@@ -261,7 +286,7 @@ std::vector<std::size_t> RecoverySheet::discarded() const
 
 void RecoverySheet::showEnd()
 {
-    m_end->setText(discarded().empty() ? tr("Later") : tr("Done"));
+    m_end->setText(marked().empty() ? tr("Later") : tr("Done"));
 }
 
 } // namespace espalier

@@ -9,6 +9,7 @@
 #include <vector>
 
 class QPushButton;
+class QScrollArea;
 
 namespace espalier {
 
@@ -39,17 +40,20 @@ public:
     void showState(std::size_t tree, State state, const QImage& picture, const QString& caption);
     /// Size of the pictures, px.
     QSize pictureSize() const;
-    /// The trees to discard, by their index.
+    /// The trees to discard, by their index, once the dialog has closed; none if it was cancelled.
     std::vector<std::size_t> discarded() const;
     /// The tree to bring back, once the dialog has closed.
     std::optional<std::size_t> broughtBack() const { return m_broughtBack; }
 
 private:
+    std::vector<std::size_t> marked() const;
     void showEnd();
+    void fit();
 
     std::vector<RecoveryRow*> m_rows;
     std::optional<std::size_t> m_broughtBack;
     QPushButton* m_end;
+    QScrollArea* m_scroll = nullptr;
 };
 
 } // namespace espalier

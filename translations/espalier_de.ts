@@ -5235,10 +5235,6 @@ geschrieben werden konnte.
 <context>
     <name>espalier::Recovery</name>
     <message>
-        <source>The safety copy of %1 cannot be read. %2 It is kept as %3.</source>
-        <translation>Eine Sicherheitskopie kann nicht gelesen werden (%1). Sie wird als %3 aufbewahrt. %2</translation>
-    </message>
-    <message>
         <source>%1, but the file is no longer there</source>
         <translation>%1, aber die Datei ist nicht mehr da</translation>
     </message>
@@ -5275,6 +5271,17 @@ geschrieben werden konnte.
     <message>
         <source>Show</source>
         <translation>Zeigen</translation>
+    </message>
+    <message>
+        <source>The safety copy of %1 cannot be read. It is kept as %2.</source>
+        <translation>Die Sicherheitskopie von %1 ist nicht lesbar. Sie bleibt als %2 erhalten.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n safety copies cannot be read. They are kept in %1.</source>
+        <translation>
+            <numerusform>%n Sicherheitskopie ist nicht lesbar. Sie bleibt in %1 erhalten.</numerusform>
+            <numerusform>%n Sicherheitskopien sind nicht lesbar. Sie bleiben in %1 erhalten.</numerusform>
+        </translation>
     </message>
 </context>
 <context>

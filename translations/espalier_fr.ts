@@ -5234,10 +5234,6 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
 <context>
     <name>espalier::Recovery</name>
     <message>
-        <source>The safety copy of %1 cannot be read. %2 It is kept as %3.</source>
-        <translation>Une copie de sécurité est illisible (%1). Elle est conservée sous %3. %2</translation>
-    </message>
-    <message>
         <source>%1, but the file is no longer there</source>
         <translation>%1, mais le fichier n’y est plus</translation>
     </message>
@@ -5274,6 +5270,17 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
     <message>
         <source>Show</source>
         <translation>Afficher</translation>
+    </message>
+    <message>
+        <source>The safety copy of %1 cannot be read. It is kept as %2.</source>
+        <translation>La copie de sécurité de %1 est illisible. Elle est gardée sous %2.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n safety copies cannot be read. They are kept in %1.</source>
+        <translation>
+            <numerusform>%n copie de sécurité est illisible. Elle est gardée dans %1.</numerusform>
+            <numerusform>%n copies de sécurité sont illisibles. Elles sont gardées dans %1.</numerusform>
+        </translation>
     </message>
 </context>
 <context>

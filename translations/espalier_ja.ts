@@ -5226,10 +5226,6 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
 <context>
     <name>espalier::Recovery</name>
     <message>
-        <source>The safety copy of %1 cannot be read. %2 It is kept as %3.</source>
-        <translation>%1 の控えを読み込めません。控えは %3 に残してあります。%2</translation>
-    </message>
-    <message>
         <source>%1, but the file is no longer there</source>
         <translation>%1（ファイルはもうありません）</translation>
     </message>
@@ -5264,6 +5260,16 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
     <message>
         <source>Show</source>
         <translation>表示</translation>
+    </message>
+    <message>
+        <source>The safety copy of %1 cannot be read. It is kept as %2.</source>
+        <translation>%1 の控えを読み込めません。%2 として残してあります。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n safety copies cannot be read. They are kept in %1.</source>
+        <translation>
+            <numerusform>%n 個の控えを読み込めません。%1 に残してあります。</numerusform>
+        </translation>
     </message>
 </context>
 <context>

@@ -5237,10 +5237,6 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
 <context>
     <name>espalier::Recovery</name>
     <message>
-        <source>The safety copy of %1 cannot be read. %2 It is kept as %3.</source>
-        <translation>Nie można odczytać kopii zapasowej (%1). Zachowano ją jako %3. %2</translation>
-    </message>
-    <message>
         <source>%1, but the file is no longer there</source>
         <translation>%1, ale pliku już tam nie ma</translation>
     </message>
@@ -5279,6 +5275,18 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
     <message>
         <source>Show</source>
         <translation>Pokaż</translation>
+    </message>
+    <message>
+        <source>The safety copy of %1 cannot be read. It is kept as %2.</source>
+        <translation>Nie można odczytać kopii zapasowej %1. Pozostaje jako %2.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n safety copies cannot be read. They are kept in %1.</source>
+        <translation>
+            <numerusform>Nie można odczytać %n kopii zapasowej. Pozostaje w %1.</numerusform>
+            <numerusform>Nie można odczytać %n kopii zapasowych. Pozostają w %1.</numerusform>
+            <numerusform>Nie można odczytać %n kopii zapasowych. Pozostają w %1.</numerusform>
+        </translation>
     </message>
 </context>
 <context>

@@ -243,6 +243,7 @@ void DocumentFile::finishSaving(const QString& fileName, const Outcome& outcome)
     if (outcome.written && !outcome.isRefused) {
         m_content = outcome.content;
         m_stamp = outcome.stamp;
+        Q_EMIT titleChanged();
         Q_EMIT saved(fileName);
         return;
     }

@@ -103,7 +103,7 @@ public:
     void lookAtDisk();
 
 Q_SIGNALS:
-    /// The name or the modified state has changed.
+    /// The name, the modified state or isSaving() has changed.
     void titleChanged();
     void saved(const QString& fileName);
     void saveFailed(const QString& sentence);

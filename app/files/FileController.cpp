@@ -247,7 +247,7 @@ void FileController::recover(const Leftover& leftover)
         [copy = SafetyCopy::ofProject(leftover.fileName)](const auto& isCancelled) {
             return DocumentFile::readCopy(copy, isCancelled);
         },
-        show, [this, leftover](const QString& sentence) { m_recovery.keepAside(leftover, sentence); });
+        show, [this, leftover](const QString&) { m_recovery.keepAside(leftover); });
 }
 
 void FileController::save()

@@ -18,10 +18,10 @@ namespace {
 
 constexpr int kPicturePasses = 4;
 
-/// A safety copy, and the reason why it cannot be read; empty if it can.
+/// What became of an attempt to read a safety copy.
 struct Tried {
     Leftover leftover;
-    QString fault;
+    bool isUnreadable = false;
     bool isWorthless = false; ///< Nothing was done that could be brought back
 };
 
@@ -33,19 +33,29 @@ std::vector<Tried> tryToRead(const std::vector<Leftover>& leftovers)
         const Result<Project> project = copy.read();
         const bool isSeedling = project && project->journal.empty() && project->tree.size() == 1 &&
                                 leftover.original.isEmpty() && project->look == SceneLook();
-        tried.push_back({leftover, project ? QString() : project.error().message,
-                         project && (isSeedling || !copy.hasChanges())});
+        const bool isWorthless = project && (isSeedling || !copy.hasChanges());
+        // What cannot be read may be worth something.
+        const bool isLost = !project || (isWorthless && copy.isTorn());
+        tried.push_back(
+            {.leftover = leftover, .isUnreadable = isLost, .isWorthless = isWorthless && !isLost});
     }
     return tried;
 }
 
-/// Moves the safety copy aside and returns a sentence about that.
-QString sentenceAbout(const Leftover& leftover, const QString& fault)
+/// Moves safety copies aside and returns a sentence about that; empty if there are none.
+QString keptAside(const std::vector<Leftover>& leftovers)
 {
-    const QString place = Autosave::keepAside(leftover);
-    const QString sentence = fault.endsWith(QLatin1Char('.')) ? fault : fault + QLatin1Char('.');
-    return Recovery::tr("The safety copy of %1 cannot be read. %2 It is kept as %3.")
-        .arg(leftover.displayName(), sentence, QDir::toNativeSeparators(place));
+    QStringList places;
+    for (const Leftover& leftover : leftovers)
+        places.append(QDir::toNativeSeparators(Autosave::keepAside(leftover)));
+    if (places.isEmpty())
+        return {};
+    if (places.size() == 1)
+        return Recovery::tr("The safety copy of %1 cannot be read. It is kept as %2.")
+            .arg(leftovers.front().displayName(), places.front());
+    return Recovery::tr("%n safety copies cannot be read. They are kept in %1.", nullptr,
+                        static_cast<int>(places.size()))
+        .arg(QFileInfo(places.front()).path());
 }
 
 RecoverableTree shownOf(const Leftover& leftover)
@@ -120,29 +130,33 @@ void Recovery::start(Occasion occasion)
         this, [leftovers = std::move(leftovers)] { return tryToRead(leftovers); },
         [this, occasion](const std::vector<Tried>& tried) {
             m_isLooking = false;
-            QStringList unreadable;
+            std::vector<Leftover> unreadable;
             for (const Tried& one : tried) {
                 if (one.isWorthless)
                     Autosave::discard(one.leftover);
-                else if (one.fault.isEmpty())
-                    m_offers.push_back(one.leftover);
+                else if (one.isUnreadable)
+                    unreadable.push_back(one.leftover);
                 else
-                    unreadable.append(sentenceAbout(one.leftover, one.fault));
+                    m_offers.push_back(one.leftover);
             }
-            tellUnreadable(unreadable);
-            offer(unreadable.isEmpty() ? occasion : Occasion::Start);
+            m_toTell = keptAside(unreadable);
+            offer(unreadable.empty() ? occasion : Occasion::Start);
+            if (!m_sheet)
+                tell();
         });
 }
 
-void Recovery::keepAside(const Leftover& leftover, const QString& reason)
+void Recovery::keepAside(const Leftover& leftover)
 {
-    tellUnreadable({sentenceAbout(leftover, reason)});
+    m_toTell = keptAside({leftover});
+    tell();
 }
 
-void Recovery::tellUnreadable(const QStringList& sentences)
+/// Shows the sentence that could not be seen beside the sheet.
+void Recovery::tell()
 {
-    if (!sentences.isEmpty())
-        m_notice->showWarning(sentences.join(QLatin1Char('\n')));
+    if (const QString sentence = std::exchange(m_toTell, {}); !sentence.isEmpty())
+        m_notice->showWarning(sentence);
 }
 
 void Recovery::offer(Occasion occasion)
@@ -211,6 +225,7 @@ void Recovery::end()
     m_pictures.cancel();
     const std::vector<Leftover> offers = std::exchange(m_offers, {});
     const RecoverySheet& sheet = *std::exchange(m_sheet, nullptr);
+    tell();
     for (const std::size_t index : sheet.discarded())
         Autosave::discard(offers[index]);
     if (const std::optional<std::size_t> chosen = sheet.broughtBack())

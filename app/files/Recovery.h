@@ -34,9 +34,8 @@ public:
     void start(Occasion occasion);
     /// Says that there are more, if there are, after one has been brought back.
     void remind();
-    /// Moves a safety copy aside that turned out to be unreadable after it was offered; @p reason names the
-    /// fault.
-    void keepAside(const Leftover& leftover, const QString& reason);
+    /// Moves a safety copy aside that turned out to be unreadable after it was offered.
+    void keepAside(const Leftover& leftover);
 
 Q_SIGNALS:
     /// The user wants to recover this leftover.
@@ -46,7 +45,7 @@ private:
     struct Compared;
 
     void offer(Occasion occasion);
-    void tellUnreadable(const QStringList& sentences);
+    void tell();
     void compare(std::size_t index);
     void draw(std::size_t index, std::shared_ptr<Compared> compared);
     void end();
@@ -56,6 +55,7 @@ private:
     std::vector<Leftover> m_offers; ///< As in the sheet
     QPointer<RecoverySheet> m_sheet;
     PictureRunner m_pictures;
+    QString m_toTell;         ///< About safety copies that cannot be read
     bool m_isLooking = false; ///< A worker thread tries the safety copies
 };
 

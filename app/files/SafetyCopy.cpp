@@ -8,6 +8,7 @@
 
 #include <QCoreApplication>
 #include <QCryptographicHash>
+#include <QDir>
 #include <QFile>
 #include <QFileInfo>
 #include <QtEndian>
@@ -45,8 +46,12 @@ QByteArray framed(const QByteArray& piece)
     return bytes + piece;
 }
 
-/// The pieces of a file, up to the first that is not whole.
-std::vector<QByteArray> piecesOf(const QByteArray& bytes)
+struct Pieces {
+    std::vector<QByteArray> whole{}; ///< Up to the first that is not
+    bool isTorn = false;             ///< More bytes follow
+};
+
+Pieces piecesOf(const QByteArray& bytes)
 {
     std::vector<QByteArray> pieces;
     qsizetype at = 0;
@@ -61,7 +66,7 @@ std::vector<QByteArray> piecesOf(const QByteArray& bytes)
         pieces.push_back(std::move(piece));
         at += kHeader + size;
     }
-    return pieces;
+    return {std::move(pieces), at < bytes.size()};
 }
 
 QByteArray hashOf(const QByteArray& bytes)
@@ -112,7 +117,11 @@ SafetyCopy::Origin SafetyCopy::readOrigin() const
     const QString text = QString::fromUtf8(file.read(kMost));
     const qsizetype end = text.lastIndexOf(QLatin1Char('\n'));
     const FileContent content = FileContent::fromLine(text.mid(end + 1));
-    return content.exists() && end >= 0 ? Origin{text.left(end), content} : Origin{text, {}};
+    const Origin origin = content.exists() && end >= 0 ? Origin{text.left(end), content} : Origin{text, {}};
+    const bool isName = QDir::isAbsolutePath(origin.fileName) &&
+                        !origin.fileName.contains(QChar::ReplacementCharacter) &&
+                        !origin.fileName.contains(QChar::Null);
+    return isName ? origin : Origin{};
 }
 
 Result<SafetyCopy::Written> SafetyCopy::writeBytes(const QByteArray& bytes, QSet<QString> images) const
@@ -168,7 +177,7 @@ Result<void> SafetyCopy::addChange(const QByteArray& packed, Written& written) c
 
 std::vector<QByteArray> SafetyCopy::readChanges(const QByteArray& projectHash) const
 {
-    std::vector<QByteArray> pieces = piecesOf(bytesOf(changesFile()));
+    std::vector<QByteArray> pieces = piecesOf(bytesOf(changesFile())).whole;
     if (pieces.empty() || pieces.front() != projectHash)
         return {};
     pieces.erase(pieces.begin());
@@ -186,19 +195,24 @@ Result<Project> SafetyCopy::read() const
     if (!project)
         return inputError(name, project.error().message);
     const std::vector<QByteArray> changes = readChanges(hashOf(bytes));
+    const auto warn = [&name](Project& incomplete) {
+        incomplete.warning =
+            inputError(name, CopyText::tr("what was done last cannot be brought back")).message;
+    };
+    if (isTorn())
+        warn(*project);
     if (changes.empty())
         return project;
     // If what comes last cannot be used, what is before it can, probably.
     Result<Project> whole = Error{Error::Kind::Input, QString()};
     for (std::size_t count = changes.size(); count > 0; count /= 2) {
         whole = replayed(bytes, std::span(changes).first(count));
-        if (whole && count < changes.size())
-            whole->warning =
-                inputError(name, CopyText::tr("what was done last cannot be brought back")).message;
+        if (whole && (count < changes.size() || isTorn()))
+            warn(*whole);
         if (whole)
             return whole;
     }
-    project->warning = inputError(name, CopyText::tr("what was done last cannot be brought back")).message;
+    warn(*project);
     return project;
 }
 
@@ -206,6 +220,11 @@ bool SafetyCopy::hasChanges() const
 {
     const QByteArray bytes = bytesOf(projectFile());
     return !readChanges(hashOf(bytes)).empty() || FileContent::of(bytes) != readOrigin().content;
+}
+
+bool SafetyCopy::isTorn() const
+{
+    return piecesOf(bytesOf(changesFile())).isTorn;
 }
 
 void SafetyCopy::remove() const

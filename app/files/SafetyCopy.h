@@ -62,6 +62,8 @@ public:
     Result<Project> read() const;
     /// Whether it holds more than the file that the document comes from held.
     bool hasChanges() const;
+    /// Whether there are bytes of changes that cannot be read.
+    bool isTorn() const;
     /// Removes all files but the lock.
     void remove() const;
 
