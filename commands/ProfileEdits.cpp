@@ -75,8 +75,6 @@ bool setProfile(TreeDocument& document, std::span<const InternodeId> internodes,
 {
     Q_ASSERT(profileFault(profile).isEmpty());
     Edit edit(document);
-    if (!document.tree().hasRoomForProfiles(1))
-        return false;
     const StrandProfile kept = forRecipes(profile);
     const std::vector<InternodeId> ids = living(document.tree(), internodes);
     SetProfileOperation operation = operationOn(document, ids);
@@ -84,6 +82,8 @@ bool setProfile(TreeDocument& document, std::span<const InternodeId> internodes,
     TreeDelta delta = deltaStartingAt(document.tree());
     for (const InternodeId id : ids)
         changeProfile(document.tree(), delta, id, &kept);
+    if (!document.tree().hasRoomForProfiles(delta))
+        return false;
     if (!delta.sparse.profile.empty())
         edit.apply(std::move(delta));
     commitRecorded(edit, QCoreApplication::translate("Commands", "Draw Profile"), [&] { return operation; });
@@ -99,8 +99,6 @@ bool blendProfiles(TreeDocument& document, InternodeId first, InternodeId last, 
     const std::vector<InternodeId> path = branchBetween(tree, first, last);
     if (path.empty() || path.size() > static_cast<std::size_t>(SetProfileOperation::kMostNodes))
         return true;
-    if (!tree.hasRoomForProfiles(path.size()))
-        return false;
     const StrandProfile from = forRecipes(profile);
     const StrandProfile to = forRecipes(lastProfile);
     SetProfileOperation operation = operationOn(document, std::span(&first, 1));
@@ -121,6 +119,8 @@ bool blendProfiles(TreeDocument& document, InternodeId first, InternodeId last, 
     TreeDelta delta = deltaStartingAt(tree);
     for (const auto& [id, blended] : profiles)
         changeProfile(tree, delta, id, &blended);
+    if (!tree.hasRoomForProfiles(delta))
+        return false;
     if (!delta.sparse.profile.empty())
         edit.apply(std::move(delta));
     commitRecorded(edit, QCoreApplication::translate("Commands", "Blend Profiles"),

@@ -162,10 +162,12 @@ void RecoveryRow::showState(RecoverySheet::State state, const QImage& picture, c
     const Frame& frame = m_frames[state == RecoverySheet::State::Saved ? 0 : 1];
     if (!frame.picture)
         return;
+    QPixmap pixmap = QPixmap::fromImage(picture);
+    pixmap.setDevicePixelRatio(devicePixelRatioF());
     if (picture.isNull())
         frame.picture->setText(tr("No picture"));
     else
-        frame.picture->setPixmap(QPixmap::fromImage(picture));
+        frame.picture->setPixmap(pixmap);
     setCaption(frame, caption);
 }
 

@@ -104,11 +104,11 @@ public:
     /// Growth is under way: the picture is not drawn in full quality until it ends.
     void setGrowing(bool growing);
 
+    /// Whether the user types a width, or a tool keeps something of the last gesture for the next one.
+    bool isBetweenGestures() const;
     /// While a tool's gesture is under way, no other code may change the document: finish the gesture before.
     /// A gesture ends by itself when its pointer is lost: another window is in front, a dialog or menu opens,
     /// the keyboard leaves the tree, the system takes the touch away.
-    /// Whether the user types a width, or a tool keeps something of the last gesture for the next one.
-    bool isBetweenGestures() const;
     bool isGestureActive() const { return m_hand->isActive(); }
     /// Whether a pointer works with the tool or moves the camera.
     bool isPointerDown() const { return m_gestures.isBusy(); }

@@ -127,9 +127,12 @@ void Recovery::start(Occasion occasion)
     }
     m_isLooking = true;
     runInBackground(
-        this, [leftovers = std::move(leftovers)] { return tryToRead(leftovers); },
-        [this, occasion](const std::vector<Tried>& tried) {
+        this,
+        [leftovers = std::move(leftovers)]() -> Result<std::vector<Tried>> { return tryToRead(leftovers); },
+        [this, occasion](const Result<std::vector<Tried>>& result) {
             m_isLooking = false;
+            // Without memory to read them, they stay for later.
+            const std::vector<Tried> tried = result ? *result : std::vector<Tried>();
             std::vector<Leftover> unreadable;
             for (const Tried& one : tried) {
                 if (one.isWorthless)
@@ -182,11 +185,20 @@ void Recovery::compare(std::size_t index)
     if (!m_sheet || index >= m_offers.size())
         return;
     const QSize pixels = m_sheet->pictureSize() * m_sheet->devicePixelRatioF();
+    Leftover leftover = m_offers[index];
+    leftover.lock.reset(); // It is free as soon as the sheet has closed
     runInBackground(
-        this, [leftover = m_offers[index], pixels] { return Compared::of(leftover, pixels); },
-        [this, index, sheet = m_sheet](Compared compared) {
-            if (sheet && sheet == m_sheet)
-                draw(index, std::make_shared<Compared>(std::move(compared)));
+        this, [leftover, pixels]() -> Result<Compared> { return Compared::of(leftover, pixels); },
+        [this, index, sheet = m_sheet](Result<Compared> compared) {
+            if (!sheet || sheet != m_sheet)
+                return;
+            if (compared) {
+                draw(index, std::make_shared<Compared>(std::move(*compared)));
+                return;
+            }
+            for (const auto state : {RecoverySheet::State::Saved, RecoverySheet::State::Changed})
+                sheet->showState(index, state, {}, QString());
+            compare(index + 1);
         });
 }
 

@@ -65,10 +65,17 @@ void PictureRunner::start(Project project, const PictureRequest& request, Done d
     runInBackground(
         this,
         [project = std::move(project), fibres = request.options.view.fibresShown,
-         progress = job->progress]() mutable { return partsFor(std::move(project), fibres, *progress); },
-        [this, job](PictureParts parts) {
+         progress = job->progress]() mutable -> Result<PictureParts> {
+            return partsFor(std::move(project), fibres, *progress);
+        },
+        [this, job](Result<PictureParts> made) {
             if (m_job != job)
                 return;
+            if (!made) {
+                end(job, made.error());
+                return;
+            }
+            PictureParts parts = std::move(*made);
             job->scene = std::make_unique<TreeScene>(job->document);
             job->scene->setFibresShown(job->request.options.view.fibresShown);
             job->scene->expect(std::move(parts.scene));

@@ -7,6 +7,7 @@
 #include <QSet>
 
 #include <algorithm>
+#include <utility>
 
 namespace espalier {
 
@@ -138,9 +139,17 @@ bool Tree::hasRoomForLassos(std::size_t count) const
     return static_cast<qsizetype>(count) <= kMostLassos - lassos().size();
 }
 
-bool Tree::hasRoomForProfiles(std::size_t count) const
+bool Tree::hasRoomForProfiles(const TreeDelta& delta) const
 {
-    return static_cast<qsizetype>(count) <= kMostProfiles - profiles().size();
+    if (delta.kept.profiles == 0)
+        return true;
+    std::size_t bytes = 0;
+    for (const QList<StrandProfile>* list : {&profiles(), &std::as_const(delta.rows->kept.profiles)}) {
+        for (const StrandProfile& profile : *list)
+            bytes += profile.bytes();
+    }
+    return static_cast<qsizetype>(delta.kept.profiles) <= kMostProfiles - profiles().size() &&
+           bytes <= kMostProfilePointsInAll * sizeof(Vec2);
 }
 
 std::vector<LassoStroke> Tree::lassosInForce() const

@@ -86,9 +86,10 @@ public:
     /// kMostParameterSets, and all images together stay within @p mostImageBytes. Otherwise no file could
     /// hold the tree.
     bool hasRoomFor(const TreeParameters& parameters, qsizetype mostImageBytes = kMostImageBytes) const;
-    /// Whether a delta may bring so many more lassos, or profiles.
+    /// Whether a delta may bring so many more lassos.
     bool hasRoomForLassos(std::size_t count) const;
-    bool hasRoomForProfiles(std::size_t count) const;
+    /// Whether @p delta may bring the profiles that it has.
+    bool hasRoomForProfiles(const TreeDelta& delta) const;
 
     /// All lasso strokes that were ever in force.
     const QList<LassoStroke>& lassos() const { return m_content.kept.lassos; }

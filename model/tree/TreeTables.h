@@ -27,6 +27,7 @@ inline constexpr qsizetype kMostParameterSets = 65'535;
 // What a tree keeps for undo counts, too.
 inline constexpr qsizetype kMostLassos = 100'000;
 inline constexpr qsizetype kMostProfiles = 100'000;
+inline constexpr std::size_t kMostProfilePointsInAll = 400'000;
 /// Of the files of all different images in parameter sets, bytes; beside them, a scene has one picture.
 inline constexpr qsizetype kMostImageBytes = qsizetype{448} << 20;
 

@@ -2,6 +2,7 @@
 #include "commands/ProfileEdits.h"
 
 #include "commands/BendGesture.h"
+#include "commands/DocumentProject.h"
 #include "commands/GrowGesture.h"
 #include "commands/Prune.h"
 #include "model/io/project/ProjectFile.h"
@@ -117,16 +118,21 @@ void ProfileEditsTest::sameProfile_isNoCommand()
 
 void ProfileEditsTest::fullDocument_refusesMore()
 {
+    const StrandProfile round = profileOf(ProfileShape::Round);
+    const std::size_t points = round.bytes() / sizeof(Vec2);
     TreeContent content = Tree().content();
-    content.kept.profiles.resize(kMostProfiles - 1, profileOf(ProfileShape::Round));
+    content.kept.profiles.resize(static_cast<qsizetype>(kMostProfilePointsInAll / points), round);
     TreeDocument document;
     document.reset(*Tree::fromContent(content), Journal());
-    const std::vector<InternodeId> path{0};
-    QVERIFY(setProfile(document, path, profileOf(ProfileShape::Ring)));
     const DocumentState before(document);
-    QVERIFY(!setProfile(document, path, profileOf(ProfileShape::Round)));
-    QVERIFY(!blendProfiles(document, 0, 0, profileOf(ProfileShape::Round), profileOf(ProfileShape::Ring)));
+    const std::vector<InternodeId> path{0};
+    QVERIFY(!setProfile(document, path, profileOf(ProfileShape::Ring)));
+    QVERIFY(!blendProfiles(document, 0, 0, profileOf(ProfileShape::Ring), profileOf(ProfileShape::Ring)));
     QCOMPARE(differenceFrom(before, document), QString());
+    QVERIFY(setProfile(document, path, round));
+    // What is within the limit can be saved and read.
+    const Result<QByteArray> packed = packProject(projectOf(document, QString()));
+    QVERIFY(packed && unpackProject(*packed));
 }
 
 void ProfileEditsTest::samePofilesAreKeptOnce()

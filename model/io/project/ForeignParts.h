@@ -26,6 +26,8 @@ struct ForeignParts {
 /// format's. Sets @p isWhole to false if some are too large, too many, damaged or not named safely; these are
 /// left out.
 std::vector<ForeignParts::Entry> readForeignEntries(const ZipReader& archive, bool& isWhole);
+/// Whether members of project.json can be kept: not many, and not deeply nested.
+bool canKeepMembers(const QJsonObject& members);
 void addForeignEntries(ZipWriter& archive, const std::vector<ForeignParts::Entry>& entries);
 
 } // namespace espalier

@@ -134,7 +134,10 @@ void takeMore(const ZipReader& archive, Project& project)
     }
     bool isWhole = true;
     project.foreign.entries = readForeignEntries(archive, isWhole);
-    if (!isWhole)
+    const bool canKeep = canKeepMembers(project.foreign.members);
+    if (!canKeep)
+        project.foreign.members = {};
+    if (!isWhole || !canKeep)
         warnings.append(ProjectFileText::tr("some of what other programs have put into it cannot be kept"));
     project.warning = warnings.join(QStringLiteral("; "));
 }

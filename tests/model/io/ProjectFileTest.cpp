@@ -72,6 +72,7 @@ private Q_SLOTS:
     void wrongLooks_areLeftOutAndSaid();
     void equalProjects_giveEqualBytes();
     void partsOfOtherPrograms_areKept();
+    void deepMembers_areLeftOutAndSaid();
     void partsThatCannotBeKept_areLeftOutAndSaid_data();
     void partsThatCannotBeKept_areLeftOutAndSaid();
     void reloadedJournal_revertsToTheSeedlingAndComesBack();
@@ -337,11 +338,16 @@ void ProjectFileTest::partsOfOtherPrograms_areKept()
     description.replace(0, 1, "{ \"shot\": {\"scene\": [7, \"forêt\"]},");
     entries.emplace_back("pipeline/notes.txt", QByteArray("Ready for review"));
     entries.emplace_back("approved", QByteArray());
+    entries.emplace_back("mask.raw",
+                         QByteArray(7 << 20, '\0')); // with what follows, as much as is always allowed
     const Result<Project> project = unpackProject(packEntries(entries));
     QVERIFY2(project, project ? "" : qPrintable(project.error().message));
     QCOMPARE(project->warning, QString());
-    QCOMPARE(project->foreign.entries.size(), std::size_t{2});
+    QCOMPARE(project->foreign.entries.size(), std::size_t{3});
 
+    Project more = *project;
+    more.foreign.entries.push_back({"zeros", QByteArray(24 << 20, '\0')});
+    QVERIFY(unpackProject(*packProject(more)));
     const QByteArray bytes = *packProject(*project);
     const Result<Project> back = unpackProject(bytes);
     QVERIFY(back);
@@ -359,6 +365,8 @@ void ProjectFileTest::partsThatCannotBeKept_areLeftOutAndSaid_data()
     QTest::newRow("another system's folder") << QByteArray("..\\notes");
     QTest::newRow("long name") << QByteArray(300, 'n');
     QTest::newRow("control character") << QByteArray("no\nte");
+    QTest::newRow("own name") << QByteArray("./project.json");
+    QTest::newRow("drive") << QByteArray("C:/notes");
 }
 
 void ProjectFileTest::partsThatCannotBeKept_areLeftOutAndSaid()
@@ -373,6 +381,17 @@ void ProjectFileTest::partsThatCannotBeKept_areLeftOutAndSaid()
     QVERIFY(back->tree == project.tree);
     QCOMPARE(back->warning, QStringLiteral("some of what other programs have put into it cannot be kept"));
     QCOMPARE(back->foreign.entries.size(), std::size_t{1});
+}
+
+void ProjectFileTest::deepMembers_areLeftOutAndSaid()
+{
+    ZipEntries entries = unpackEntries(*packProject(sampleProject(50)));
+    const QByteArray deep = QByteArray(400, '[') + "7" + QByteArray(400, ']');
+    entry(entries, "project.json").replace(0, 1, "{ \"shot\": " + deep + ",");
+    const Result<Project> back = unpackProject(packEntries(entries));
+    QVERIFY2(back, back ? "" : qPrintable(back.error().message));
+    QCOMPARE(back->warning, QStringLiteral("some of what other programs have put into it cannot be kept"));
+    QVERIFY(back->foreign.members.isEmpty());
 }
 
 void ProjectFileTest::reloadedJournal_revertsToTheSeedlingAndComesBack()
