@@ -17,6 +17,21 @@ namespace {
 constexpr int kInterval = 10'000; // ms from one look at the history to the next
 constexpr int kRetry = 1'000;     // ms, while something else is at work
 
+/// Strands of a tree for the same tree with other ids, so that they stay in sight.
+std::shared_ptr<const ShownStrands> renumbered(const ShownStrands& strands, const NewNumbers& numbers,
+                                               std::uint32_t count)
+{
+    auto same = std::make_shared<ShownStrands>(strands);
+    if (strands.lines.empty())
+        return same;
+    same->lines.assign(count, {});
+    for (InternodeId id = 0; id < strands.lines.size(); ++id) {
+        if (numbers.isKept(id))
+            same->lines[numbers[id]] = strands.lines[id];
+    }
+    return same;
+}
+
 } // namespace
 
 struct HistoryLimit::Outcome {
@@ -24,8 +39,13 @@ struct HistoryLimit::Outcome {
     std::shared_ptr<PreparedScene> scene{};
 };
 
-HistoryLimit::HistoryLimit(TreeDocument& document, std::function<bool()> isBusy, QObject* parent)
-    : QObject(parent), m_document(document), m_isBusy(std::move(isBusy)), m_most(Preferences().undoBytes())
+HistoryLimit::HistoryLimit(TreeDocument& document, std::function<bool()> isBusy, ShownStrandsNow strands,
+                           QObject* parent)
+    : QObject(parent),
+      m_document(document),
+      m_isBusy(std::move(isBusy)),
+      m_strands(std::move(strands)),
+      m_most(Preferences().undoBytes())
 {
     m_timer.setSingleShot(true);
     connect(&m_timer, &QTimer::timeout, this, &HistoryLimit::look);
@@ -69,15 +89,18 @@ void HistoryLimit::look()
     m_isDue = false;
     runInBackground(
         this,
-        [history = std::make_shared<HistorySnapshot>(m_document), most = m_most]() mutable {
+        [history = std::make_shared<HistorySnapshot>(m_document), strands = m_strands(),
+         most = m_most]() mutable {
             Outcome outcome{.history = history->shortenedTo(most)};
             history.reset();
             if (outcome.history) {
-                leavingOneThread([&outcome] {
+                leavingOneThread([&outcome, &strands] {
                     PreparedTree& tree = outcome.history->document.tree;
                     tree.preparePicking();
-                    outcome.scene =
-                        std::make_shared<PreparedScene>(tree.tree, tree.index, tree.growthModel->space());
+                    outcome.scene = std::make_shared<PreparedScene>(
+                        tree.tree, tree.index, tree.growthModel->space(),
+                        strands ? renumbered(*strands, outcome.history->internodes, tree.tree.size())
+                                : nullptr);
                 });
             }
             return Result<Outcome>(std::move(outcome));

@@ -12,6 +12,7 @@ namespace espalier {
 
 class TreeDocument;
 struct PreparedScene;
+struct ShownStrands;
 
 /// Keeps the memory of a document's history within a limit: when it is exceeded, the oldest undo steps go,
 /// and with them what only they could bring back (TreeDocument::shorten()). It looks and works in the
@@ -21,8 +22,12 @@ class HistoryLimit : public QObject {
     Q_OBJECT
 
 public:
-    /// @p isBusy: whether the user or the program is at work on the document.
-    HistoryLimit(TreeDocument& document, std::function<bool()> isBusy, QObject* parent = nullptr);
+    using ShownStrandsNow = std::function<std::shared_ptr<const ShownStrands>()>;
+
+    /// @p isBusy: whether the user or the program is at work on the document. @p strands: those that are
+    /// shown of it, or null.
+    HistoryLimit(TreeDocument& document, std::function<bool()> isBusy, ShownStrandsNow strands,
+                 QObject* parent = nullptr);
     ~HistoryLimit() override;
 
     /// @p bytes that the history may take.
@@ -44,6 +49,7 @@ private:
 
     TreeDocument& m_document;
     std::function<bool()> m_isBusy;
+    ShownStrandsNow m_strands;
     std::size_t m_most;
     QTimer m_timer;
     bool m_isWorking = false;

@@ -329,18 +329,28 @@ void MainWindow::followDocument()
 
 void MainWindow::limitHistory()
 {
-    m_historyLimit = std::make_unique<HistoryLimit>(m_document, [this] {
-        return isBusy() || m_files->file().isSaving() || m_profiles->chosen() ||
-               m_workspace->viewport().isBetweenGestures();
-    });
+    m_historyLimit = std::make_unique<HistoryLimit>(
+        m_document,
+        [this] {
+            return isBusy() || m_files->file().isSaving() || m_workspace->viewport().isBetweenGestures();
+        },
+        [this] { return m_workspace->viewport().shownStrands(); });
     connect(m_historyLimit.get(), &HistoryLimit::scenePrepared, this,
             [this](const std::shared_ptr<PreparedScene>& scene) {
                 m_workspace->viewport().expect(std::move(*scene));
             });
     connect(m_historyLimit.get(), &HistoryLimit::shortened, this, [this] {
-        m_workspace->notice().showInformation(
-            tr("The oldest steps of the history were dropped, so that it takes no more than %1 MB.")
-                .arg(m_preferences.undoMemory));
+        Notice& notice = m_workspace->notice();
+        const auto tell = [this, &notice] {
+            notice.showInformation(
+                tr("The oldest steps of the history were dropped, so that it takes no more than %1 MB.")
+                    .arg(m_preferences.undoMemory));
+        };
+        if (notice.isAsking())
+            connect(&notice, &Notice::closed, this, tell,
+                    static_cast<Qt::ConnectionType>(Qt::QueuedConnection | Qt::SingleShotConnection));
+        else
+            tell();
     });
 }
 

@@ -72,9 +72,15 @@ void ProfileController::setShown(bool shown)
 void ProfileController::follow(const TreeChange& change)
 {
     ++m_stamp;
+    if (change.internodes) {
+        for (std::optional<InternodeId>* chosen : {&m_chosen, &m_spanStart}) {
+            if (*chosen)
+                *chosen = (*change.internodes)[**chosen];
+        }
+    }
     if (!change.delta)
         m_layouts.reset();
-    if (m_chosen && (!change.delta || !m_document.tree().isAlive(*m_chosen)))
+    if (m_chosen && ((!change.delta && !change.internodes) || !m_document.tree().isAlive(*m_chosen)))
         chooseNone();
     if (m_isShown && m_chosen) {
         m_panel.canvas().setOld(true);

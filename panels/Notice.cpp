@@ -57,6 +57,11 @@ QString Notice::text() const
     return m_text->text();
 }
 
+bool Notice::isAsking() const
+{
+    return !isHidden() && !m_buttons.front()->isHidden();
+}
+
 void Notice::showInformation(const QString& text)
 {
     m_answer = {};

@@ -42,6 +42,9 @@ public:
     /// Whether the notice shows the progress of @p task.
     bool showsProgressOf(const QObject& task) const { return m_task == &task && !isHidden(); }
 
+    /// Whether the notice has a button for an answer, an action or to cancel.
+    bool isAsking() const;
+
     QString text() const;
     bool isWarning() const { return m_isWarning; }
 

@@ -3413,8 +3413,8 @@ geschrieben werden konnte.
         <translation>die Geschichte des Baums kann kein Rezept werden: von ihren %1 Schritten stammen %2 (%3) von einer Version von Espalier, die nicht aufzeichnete, wie sie entstanden</translation>
     </message>
     <message>
-        <source>the tree&apos;s history cannot become a recipe: it does not begin with a seedling</source>
-        <translation>die Geschichte des Baums kann kein Rezept werden: sie beginnt nicht mit einem Sämling</translation>
+        <source>the tree&apos;s history cannot become a recipe: it does not begin with a seedling, because the tree was imported or its oldest steps were dropped</source>
+        <translation>die Geschichte des Baums kann kein Rezept werden: sie beginnt nicht mit einem Sämling, weil der Baum importiert wurde oder seine ältesten Schritte entfallen sind</translation>
     </message>
     <message>
         <source>step %1 of the history</source>

@@ -3412,8 +3412,8 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>l’historique de l’arbre ne peut pas devenir une recette : de ses %1 étapes, %2 (%3) viennent d’une version d’Espalier qui n’enregistrait pas comment</translation>
     </message>
     <message>
-        <source>the tree&apos;s history cannot become a recipe: it does not begin with a seedling</source>
-        <translation>l’historique de l’arbre ne peut pas devenir une recette : il ne commence pas par un semis</translation>
+        <source>the tree&apos;s history cannot become a recipe: it does not begin with a seedling, because the tree was imported or its oldest steps were dropped</source>
+        <translation>l’historique de l’arbre ne peut pas devenir une recette : il ne commence pas par un semis, parce que l’arbre a été importé ou que ses étapes les plus anciennes ont été supprimées</translation>
     </message>
     <message>
         <source>step %1 of the history</source>

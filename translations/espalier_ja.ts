@@ -3405,8 +3405,8 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>木の履歴をレシピにできません。全 %1 ステップのうち %2 ステップ（%3）は、やり方を記録しない版の Espalier で作られました</translation>
     </message>
     <message>
-        <source>the tree&apos;s history cannot become a recipe: it does not begin with a seedling</source>
-        <translation>木の履歴をレシピにできません。苗木から始まっていません</translation>
+        <source>the tree&apos;s history cannot become a recipe: it does not begin with a seedling, because the tree was imported or its oldest steps were dropped</source>
+        <translation>木の履歴をレシピにできません。木が読み込まれたものか、古い手順が捨てられたため、苗木から始まっていません</translation>
     </message>
     <message>
         <source>step %1 of the history</source>

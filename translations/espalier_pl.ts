@@ -3414,8 +3414,8 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>historii drzewa nie da się zamienić w przepis: z jej %1 kroków %2 (%3) pochodzi z wersji Espaliera, która nie zapisywała, jak powstały</translation>
     </message>
     <message>
-        <source>the tree&apos;s history cannot become a recipe: it does not begin with a seedling</source>
-        <translation>historii drzewa nie da się zamienić w przepis: nie zaczyna się od siewki</translation>
+        <source>the tree&apos;s history cannot become a recipe: it does not begin with a seedling, because the tree was imported or its oldest steps were dropped</source>
+        <translation>historii drzewa nie da się zamienić w przepis: nie zaczyna się od siewki, ponieważ drzewo zaimportowano albo usunięto jego najstarsze kroki</translation>
     </message>
     <message>
         <source>step %1 of the history</source>

@@ -239,9 +239,12 @@ void Viewport::followDocument(const TreeChange& change)
 {
     m_scene.follow(change);
     if (!change.delta && !isGestureActive()) {
-        // What the tool has chosen has another id now, or is not there.
-        m_tool->leave();
-        m_tool->keyPressed(Qt::Key_Escape);
+        for (Tool* const tool : {m_tool.get(), m_eraser.get()}) {
+            if (change.internodes)
+                tool->renumber(*change.internodes);
+            else
+                tool->forget();
+        }
     }
     if (change.kind == TreeChange::Kind::Reset)
         showAnew();

@@ -44,6 +44,8 @@ public:
 
     /// See TreeScene::setStrands().
     void showStrands(const std::shared_ptr<const ShownStrands>& strands, std::uint64_t revision);
+    /// The strands that are shown in place of tubes, or null.
+    const std::shared_ptr<const ShownStrands>& shownStrands() const { return m_scene.strands(); }
 
     const Camera& mainCamera() const override { return m_camera; }
     /// Sets the camera at once and ends a flight. The camera's view size becomes the viewport's.

@@ -72,15 +72,14 @@ void addTravel(Recipe& recipe, std::int64_t deltas)
     }
 }
 
+/// A recipe begins with a seedling as it is sown. A tree that was imported does not, nor does one whose
+/// oldest steps were dropped.
 bool beginsWithASeedling(const Project& project)
 {
-    std::uint32_t internodes = project.tree.size();
-    std::uint32_t leaves = project.tree.placedLeaves().size();
-    for (const auto& delta : project.journal) {
-        internodes -= delta->born.count;
-        leaves -= delta->bornLeaves.count;
-    }
-    return internodes == 1 && leaves == 0;
+    Tree first = project.tree;
+    for (auto i = project.journal.rbegin(); i != project.journal.rend(); ++i)
+        first.revertDropping(**i);
+    return first == Tree(first.seed(), first.parameters());
 }
 
 } // namespace
@@ -93,8 +92,9 @@ Result<Recipe> recipeOf(const Project& project)
         return notKnown(unknown, journal.size());
     if (!beginsWithASeedling(project))
         return inputError(
-            {},
-            RecipeText::tr("the tree's history cannot become a recipe: it does not begin with a seedling"));
+            {}, RecipeText::tr(
+                    "the tree's history cannot become a recipe: it does not begin with a seedling, because "
+                    "the tree was imported or its oldest steps were dropped"));
 
     Recipe recipe;
     recipe.name = project.name;

@@ -93,16 +93,6 @@ std::size_t sizeOf(const QList<T>& list)
 
 } // namespace
 
-void NewNumbers::number()
-{
-    std::uint32_t next = 0;
-    for (std::uint32_t& number : m_numbers) {
-        if (number != kGone)
-            number = next++;
-    }
-    m_gone = count() - next;
-}
-
 Renumbering::Renumbering(Tree tree, const Journal& journal, std::size_t first, const RowsOfDeltas& rows)
     : m_tree(std::move(tree)), m_rows(rows)
 {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "model/document/EditEvent.h"
+#include "model/document/NewNumbers.h"
 #include "model/growth/GrowthModel.h"
 #include "model/picking/PickIndex.h"
 #include "model/scene/SceneLook.h"
@@ -32,6 +33,7 @@ struct TreeChange {
 
     Kind kind = Kind::Reset;
     const TreeDelta* delta = nullptr;
+    const NewNumbers* internodes = nullptr; ///< Only of Kind::Renumbered: the new ids by the old ones
 };
 
 class Edit;

@@ -76,11 +76,13 @@ bool TreeDocument::shorten(ShortenedHistory& shortened)
         m_competitors.node = shortened.internodes[m_competitors.node];
     {
         const QSignalBlocker blocker(m_undoStack);
+        std::vector<AsideDocument::Step> before = AsideDocument::stepsOf(*this);
         m_undoStack.clear();
         swapTree(document.tree);
         document.fillStack(*this);
+        document.steps = std::move(before);
     }
-    tell({TreeChange::Kind::Renumbered, nullptr});
+    tell({TreeChange::Kind::Renumbered, nullptr, &shortened.internodes});
     tellOfStack();
     return true;
 }

@@ -11,6 +11,13 @@ constexpr float kFibresShare = 0.4F;
 
 } // namespace
 
+std::shared_ptr<const StrandLines> linesOf(const std::shared_ptr<const ShownStrands>& strands)
+{
+    if (!strands || strands->lines.empty())
+        return nullptr;
+    return {strands, &strands->lines};
+}
+
 std::shared_ptr<const ShownStrands> makeShownStrands(const Tree& tree, bool withFibres,
                                                      const StrandWood* last, WorkProgress& progress)
 {

@@ -21,6 +21,9 @@ struct ShownStrands {
     const TriangleMesh& mesh() const { return *wood->mesh; }
 };
 
+/// The lines of @p strands, or null if there are none.
+std::shared_ptr<const StrandLines> linesOf(const std::shared_ptr<const ShownStrands>& strands);
+
 /// Makes what is shown of @p tree. @p last, which can be null, are strands made before, of this tree or of
 /// another. Null if @p progress was cancelled.
 std::shared_ptr<const ShownStrands> makeShownStrands(const Tree& tree, bool withFibres,

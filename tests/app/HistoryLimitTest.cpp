@@ -1,13 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/HistoryLimit.h"
 
+#include "app/ProfileController.h"
 #include "app/files/FileController.h"
+#include "commands/Prune.h"
+#include "commands/WidthGesture.h"
+#include "panels/Notice.h"
 #include "tests/support/Documents.h"
 #include "tests/support/Growing.h"
 #include "tests/support/TestClasses.h"
 #include "tests/support/WindowFixture.h"
 #include "views/Viewport.h"
 
+#include <QPushButton>
 #include <QSignalSpy>
 #include <QTest>
 
@@ -20,6 +25,9 @@ class HistoryLimitTest : public test::WindowFixture {
 private Q_SLOTS:
     void oldSteps_goWithANotice();
     void shortening_waitsForTheHand();
+    void noticeOfIt_waitsForAQuestion();
+    void chosenSection_staysChosen();
+    void strands_stayInSight();
     void safetyCopy_hasTheShortenedTree();
 
 private:
@@ -64,6 +72,67 @@ void HistoryLimitTest::shortening_waitsForTheHand()
     QTRY_VERIFY(document().undoStack().count() < steps);
 }
 
+void HistoryLimitTest::noticeOfIt_waitsForAQuestion()
+{
+    work();
+    int chosen = -1;
+    workspace().notice().ask(QStringLiteral("Well?"), {QStringLiteral("Yes"), QStringLiteral("No")},
+                             [&chosen](int answer) { chosen = answer; });
+    m_window->historyLimit().setMost(4);
+    QTRY_VERIFY(document().undoStack().count() < 25);
+    QCOMPARE(notice(), QStringLiteral("Well?"));
+    const auto buttons = workspace().notice().findChildren<QPushButton*>();
+    QTest::mouseClick(buttons.front(), Qt::LeftButton);
+    QCOMPARE(chosen, 0);
+    QTRY_VERIFY(notice().contains(QStringLiteral("oldest steps")));
+}
+
+void HistoryLimitTest::chosenSection_staysChosen()
+{
+    // The first branch dies, so that all that comes later gets other ids.
+    makeTree();
+    pruneBranches(document(), {{document().tree().size() - 1}});
+    work();
+    const Tree& tree = document().tree();
+    const InternodeId old = tree.size() - 1;
+    QVERIFY(tree.isAlive(old));
+    const InternodeKey key = tree.key(old);
+    action(ActionId::Profile)->trigger();
+    m_window->profiles().choose(old);
+    QTRY_VERIFY(m_window->profiles().isUpToDate());
+    m_window->historyLimit().setMost(5);
+    QTRY_VERIFY(document().undoStack().count() < 25);
+    QVERIFY(m_window->profiles().chosen());
+    QVERIFY(*m_window->profiles().chosen() < old);
+    QCOMPARE(tree.key(*m_window->profiles().chosen()), key);
+    QTRY_VERIFY(m_window->profiles().isUpToDate());
+    QVERIFY(m_window->profiles().section());
+}
+
+void HistoryLimitTest::strands_stayInSight()
+{
+    TreeParameters parameters = document().parameters();
+    parameters.wood.mesher = WoodMesherKind::Strands;
+    document().reset(3, parameters);
+    test::grow(document(), 6);
+    pruneBranches(document(), {{document().tree().size() - 1}});
+    for (int i = 0; i < 25; ++i)
+        setWidth(document(), 1, 0.02 + 0.001 * i);
+    QTRY_VERIFY_WITH_TIMEOUT(viewport().shownStrands() && !m_window->strandRunner().isRunning(), 20'000);
+    std::shared_ptr<const StrandWood> before;
+    bool areThere = false;
+    const QObject whileHere;
+    connect(&m_window->historyLimit(), &HistoryLimit::scenePrepared, &whileHere,
+            [&] { before = viewport().shownStrands()->wood; });
+    connect(&document(), &TreeDocument::changed, &whileHere, [&](const TreeChange& change) {
+        if (change.internodes)
+            areThere = viewport().shownStrands() && viewport().shownStrands()->wood == before;
+    });
+    m_window->historyLimit().setMost(6);
+    QTRY_VERIFY(document().undoStack().count() < 25);
+    QVERIFY(areThere);
+}
+
 void HistoryLimitTest::safetyCopy_hasTheShortenedTree()
 {
     work();
@@ -74,7 +143,13 @@ void HistoryLimitTest::safetyCopy_hasTheShortenedTree()
     written.clear();
     QTRY_VERIFY(!written.isEmpty());
     QVERIFY(m_window->files().autosave().leave());
-    QVERIFY(!QDir(Autosave::folder()).entryList({QStringLiteral("*.espalier")}).isEmpty());
+    const QDir folder(Autosave::folder());
+    const QStringList names = folder.entryList({QStringLiteral("*.espalier")}, QDir::Files, QDir::Time);
+    QVERIFY(!names.isEmpty());
+    const Result<Project> copy = SafetyCopy::ofProject(folder.filePath(names.front())).read();
+    QVERIFY2(copy, copy ? "" : qPrintable(copy.error().message));
+    QVERIFY(copy->tree == document().tree());
+    QCOMPARE(copy->journal.size(), document().journal().size());
 }
 
 static const test::TestClass<HistoryLimitTest> historyLimitTest;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "commands/WidthGesture.h"
+#include "model/document/HistorySnapshot.h"
 #include "model/settings/Lengths.h"
 #include "model/shape/Widths.h"
 #include "tests/support/Documents.h"
@@ -23,6 +24,7 @@ private Q_SLOTS:
     void bendPins_holdBaseAndMiddle();
     void bendEscape_takesTheDragBackAndThenThePins();
     void bendTapBesideTheTree_clearsThePins();
+    void bendPins_stayUnderNewIds();
     void bendFinger_pullsTheBranch();
     void bendTwoFingers_lowerIsTheBase();
     void bendThreeFingers_holdTheMiddleToo();
@@ -37,6 +39,7 @@ private Q_SLOTS:
     void widthDrawnToTheAxis_isRemoved();
     void widthDelete_removesTheOneUnderThePointer();
     void widthDoubleClick_removes();
+    void widthHandle_staysChosenUnderNewIds();
     void widthLabel_isTypedIn();
     void widthLabel_refusesNonsenseAndEscapes();
     void widthLabel_doubleClickPutsNoHandleOnATwigBehind();
@@ -52,7 +55,11 @@ private:
     static constexpr InternodeId kBranch = 13; ///< First of a branch of seven
     static constexpr InternodeId kTip = 19;
 
+    static constexpr InternodeId kAnother = 6; ///< Internodes of growAnother()
+
     void plant();
+    InternodeId growAnother();
+    void dropTheBranch();
     template <class T>
     T* take();
     Vec3 node(InternodeId id) const { return m_document->index().nodePosition(id); }
@@ -224,6 +231,48 @@ void ShapingToolsTest::bendTapBesideTheTree_clearsThePins()
     stroke(node(kTip), node(kTip) + Vec3(-0.2F, 0.4F, 0.0F), 200);
     QVERIFY(!isPositionedLikeBefore(before, kBranch + 2));
     QCOMPARE(m_document->undoStack().count(), 1);
+}
+
+/// Grows another branch below the first one, to the right as well; returns its first internode.
+InternodeId ShapingToolsTest::growAnother()
+{
+    const InternodeId first = m_document->tree().size();
+    std::vector<NewInternode> internodes{
+        {.parent = 2, .slot = 0, .rotation = branching(radians(80), 0, 1, 0.0), .length = 0.2F}};
+    for (InternodeId i = 0; i < kAnother - 1; ++i)
+        internodes.push_back({.parent = first + i, .length = 0.2F});
+    apply(*m_document, births(m_document->tree(), internodes));
+    m_view->grabFramebuffer();
+    return first;
+}
+
+/// Lets the first branch die, and the history forget it.
+void ShapingToolsTest::dropTheBranch()
+{
+    const std::uint32_t rows = m_document->tree().size();
+    apply(*m_document, death(m_document->tree(), m_document->index(), kBranch));
+    std::optional<ShortenedHistory> shortened =
+        HistorySnapshot(*m_document).without(m_document->journal().size());
+    QVERIFY(shortened && m_document->shorten(*shortened));
+    QVERIFY(m_document->tree().size() < rows);
+    m_view->grabFramebuffer();
+}
+
+void ShapingToolsTest::bendPins_stayUnderNewIds()
+{
+    take<BendTool>();
+    const InternodeId old = growAnother() + 2;
+    const InternodeKey key = m_document->tree().key(old);
+    click(middle(old));
+    dropTheBranch();
+    const auto pinned = static_cast<InternodeId>(m_document->tree().columns().key.indexOf(key));
+    QVERIFY(pinned != old);
+    const DocumentState before(*m_document);
+    const InternodeId tip = pinned + kAnother - 3;
+    stroke(node(tip), node(tip) + Vec3(-0.1F, -0.2F, 0.0F), 200);
+    QVERIFY(!isPositionedLikeBefore(before, tip));
+    QVERIFY(isPositionedLikeBefore(before, pinned));
+    QCOMPARE(indexFault(*m_document), QString());
 }
 
 void ShapingToolsTest::bendFinger_pullsTheBranch()
@@ -475,6 +524,20 @@ void ShapingToolsTest::widthDelete_removesTheOneUnderThePointer()
         QTest::keyClick(m_view.get(), key);
         QCOMPARE(m_document->undoStack().undoText(), QStringLiteral("Remove Width"));
     }
+}
+
+void ShapingToolsTest::widthHandle_staysChosenUnderNewIds()
+{
+    take<WidthTool>();
+    const InternodeId first = growAnother();
+    click(middle(9));
+    click(middle(first + 3)); // Chosen
+    QTest::mouseMove(m_view.get(), QPoint(20, 20));
+    dropTheBranch();
+    QCOMPARE(m_document->tree().widthConstraints().size(), 2U);
+    QTest::keyClick(m_view.get(), Qt::Key_Delete);
+    QCOMPARE(m_document->tree().widthConstraints().size(), 1U);
+    QVERIFY(m_document->tree().widthConstraint(9) > 0.0F);
 }
 
 void ShapingToolsTest::widthDoubleClick_removes()

@@ -43,6 +43,7 @@ void TreeScene::rebuild()
     if (std::optional<PreparedScene> expected = std::exchange(m_expected, std::nullopt);
         expected && isOfThisTree(*expected)) {
         m_mesh = std::move(expected->mesh);
+        m_strands = std::move(expected->strands);
         m_light = std::move(expected->light);
         m_lightIsOld = false;
         m_relit.setEmpty();
@@ -66,8 +67,7 @@ void TreeScene::replaceStrands(std::shared_ptr<const ShownStrands> strands)
     if (strands == m_strands)
         return;
     m_strands = std::move(strands);
-    const bool areLines = m_strands && !m_strands->lines.empty();
-    m_mesh.setLines(areLines ? std::shared_ptr<const StrandLines>(m_strands, &m_strands->lines) : nullptr);
+    m_mesh.setLines(linesOf(m_strands));
     m_isBehind = true;
     m_isSettling = false;
     m_isExact = false;

@@ -292,6 +292,22 @@ bool BendTool::keyPressed(int key)
     return true;
 }
 
+void BendTool::forget()
+{
+    leave();
+    clearPins();
+}
+
+void BendTool::renumber(const NewNumbers& internodes)
+{
+    leave();
+    if (m_base)
+        m_base->id = internodes[m_base->id];
+    for (Pin& pin : m_pins)
+        pin.id = internodes[pin.id];
+    dropLostPins();
+}
+
 void BendTool::paintPath(Overlay& overlay, std::span<const InternodeId> path, const QColor& colour) const
 {
     const TreeIndex& index = context().document().index();

@@ -31,6 +31,8 @@ public:
     void tick(double now) override;
     bool takesFinger(const PointerSample& sample) const override;
     bool keyPressed(int key) override;
+    void forget() override;
+    void renumber(const NewNumbers& internodes) override;
 
     bool isActive() const override { return m_isDown; }
     bool wantsTicks() const override { return m_gesture != nullptr || m_isDown; }

@@ -126,6 +126,12 @@ bool ReproduceTool::keyPressed(int key)
     return true;
 }
 
+void ReproduceTool::forget()
+{
+    if (m_first)
+        takeBack();
+}
+
 void ReproduceTool::takeBack()
 {
     m_first.reset();

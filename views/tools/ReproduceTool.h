@@ -43,6 +43,7 @@ public:
     void finish() override;
     void cancel() override;
     bool keyPressed(int key) override;
+    void forget() override;
     bool canTakeBack() const override { return m_first.has_value(); }
     void takeBack() override;
 

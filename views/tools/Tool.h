@@ -57,6 +57,14 @@ public:
         Q_UNUSED(key)
         return false;
     }
+    /// The document shows another tree, between gestures: the tool drops what is chosen.
+    virtual void forget() { leave(); }
+    /// The tree's internodes have got other ids, between gestures; what is chosen stays chosen.
+    virtual void renumber(const NewNumbers& internodes)
+    {
+        Q_UNUSED(internodes)
+        leave();
+    }
     /// Whether the tool keeps something of the last gesture for the next one, between gestures.
     virtual bool canTakeBack() const { return false; }
     /// Takes that back. Undo does so before it undoes anything else.

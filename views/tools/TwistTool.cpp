@@ -149,6 +149,18 @@ bool TwistTool::keyPressed(int key)
     return true;
 }
 
+void TwistTool::forget()
+{
+    leave();
+    m_tapTime = -1e9;
+}
+
+void TwistTool::renumber(const NewNumbers& internodes)
+{
+    leave();
+    m_id = internodes[m_id];
+}
+
 /// Paints lines that wind around the axis of @p id, from that internode on, as its strands do.
 void TwistTool::paintStrands(Overlay& overlay, InternodeId id) const
 {

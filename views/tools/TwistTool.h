@@ -29,6 +29,8 @@ public:
     void hover(const PointerSample& sample) override;
     void leave() override;
     bool keyPressed(int key) override;
+    void forget() override;
+    void renumber(const NewNumbers& internodes) override;
 
     bool isActive() const override { return m_isDown; }
     void paint(Overlay& overlay) const override;

@@ -265,6 +265,21 @@ bool WidthTool::keyPressed(int key)
     return true;
 }
 
+void WidthTool::forget()
+{
+    leave();
+    m_chosen.reset();
+}
+
+void WidthTool::renumber(const NewNumbers& internodes)
+{
+    leave();
+    if (m_chosen)
+        m_chosen = internodes[*m_chosen];
+    if (m_chosen && !context().document().tree().isAlive(*m_chosen))
+        m_chosen.reset();
+}
+
 void WidthTool::paintHandle(Overlay& overlay, InternodeId id, bool isLit, bool isLabelled) const
 {
     const auto place = placeOf(id);

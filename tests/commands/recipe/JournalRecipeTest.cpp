@@ -17,6 +17,7 @@
 #include "commands/WidthGesture.h"
 #include "commands/recipe/RecipeFile.h"
 #include "commands/recipe/RecipePlayer.h"
+#include "model/document/HistorySnapshot.h"
 #include "model/io/ParametersJson.h"
 #include "tests/support/AllOperations.h"
 #include "tests/support/Documents.h"
@@ -51,6 +52,7 @@ private Q_SLOTS:
     void records_areInTheProjectFile();
     void stepsWithoutRecord_areCountedInTheError();
     void cutEditBeforeUnrecordedSteps_doesNotHideThem();
+    void shortenedHistory_isNotARecipe();
     void wrongRecord_isNamedWithItsStep();
     void ownImages_lieBesideTheRecipe();
     void anotherFileInAnImagesPlace_isNotReplaced();
@@ -468,6 +470,21 @@ void JournalRecipeTest::cutEditBeforeUnrecordedSteps_doesNotHideThem()
     const Result<Recipe> recipe = recipeOf(projectOf(document, {}));
     QVERIFY(!recipe);
     QVERIFY2(recipe.error().message.contains(QStringLiteral("of its 5 steps, 1 (5)")),
+             qPrintable(recipe.error().message));
+}
+
+void JournalRecipeTest::shortenedHistory_isNotARecipe()
+{
+    // What is left begins with one internode, but not as it was sown.
+    TreeDocument document;
+    setWidth(document, 0, 0.05F);
+    grow(document, 3);
+    std::optional<ShortenedHistory> shortened = HistorySnapshot(document).without(1);
+    QVERIFY(shortened);
+    QVERIFY(document.shorten(*shortened));
+    const Result<Recipe> recipe = recipeOf(projectOf(document, {}));
+    QVERIFY(!recipe);
+    QVERIFY2(recipe.error().message.contains(QStringLiteral("oldest steps were dropped")),
              qPrintable(recipe.error().message));
 }
 

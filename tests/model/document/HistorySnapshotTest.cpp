@@ -3,10 +3,13 @@
 
 #include "commands/DocumentProject.h"
 #include "commands/Prune.h"
+#include "model/document/EditCommand.h"
 #include "model/io/project/ProjectFile.h"
 #include "tests/support/Documents.h"
 #include "tests/support/Growing.h"
+#include "tests/support/Strands.h"
 #include "tests/support/TestClasses.h"
+#include "tests/support/TreeBuilder.h"
 
 #include <QTest>
 
@@ -25,6 +28,9 @@ private Q_SLOTS:
     void changedMeanwhile_isNotShortened();
     void exchangedTree_goesWithItsStep();
     void parametersThatNothingUses_go();
+    void allKindsOfRows_areTheSameUnderTheirNewIds();
+    void replacedDeltas_comeBackByUndo();
+    void whatWasThere_isLeftToTheCaller();
 
 private:
     /// The keys and the world positions of the living internodes.
@@ -32,7 +38,77 @@ private:
     /// Growth and pruning in turn, so that most internodes that ever lived are dead.
     static void workOn(TreeDocument& document, int turns);
     static bool shorten(TreeDocument& document, std::size_t most);
+    static LassoStroke lasso(float width)
+    {
+        return {Vec3::Zero(), Vec3::UnitX(), Vec3::UnitY(), {{0.0F, 0.0F}, {width, 0.0F}, {width, 1.0F}}};
+    }
+    /// What differs between the living parts of two trees, apart from ids; empty if nothing does.
+    static QString differenceOfLiving(const Tree& a, const Tree& b);
 };
+
+QString HistorySnapshotTest::differenceOfLiving(const Tree& a, const Tree& b)
+{
+    const auto idsOf = [](const Tree& tree) {
+        std::vector<InternodeId> ids;
+        for (InternodeId id = 0; id < tree.size(); ++id) {
+            if (tree.isAlive(id))
+                ids.push_back(id);
+        }
+        return ids;
+    };
+    const auto leavesOf = [](const Tree& tree) {
+        std::vector<LeafId> leaves;
+        for (LeafId leaf = 0; leaf < tree.placedLeaves().size(); ++leaf) {
+            if (tree.placedLeaves().death[leaf] == kNever &&
+                tree.isAlive(tree.placedLeaves().internode[leaf]))
+                leaves.push_back(leaf);
+        }
+        return leaves;
+    };
+    const std::vector<InternodeId> ids[] = {idsOf(a), idsOf(b)};
+    const std::vector<LeafId> leaves[] = {leavesOf(a), leavesOf(b)};
+    if (ids[0].size() != ids[1].size() || leaves[0].size() != leaves[1].size())
+        return QStringLiteral("counts");
+    if (!(a.parameters() == b.parameters()) || a.lassosInForce() != b.lassosInForce() || a.step() != b.step())
+        return QStringLiteral("values in force");
+    QString difference;
+    const auto parentKey = [](const Tree& tree, InternodeId id) {
+        return tree.isRoot(id) ? InternodeKey{} : tree.key(tree.parent(id));
+    };
+    for (std::size_t i = 0; i < ids[0].size(); ++i) {
+        const InternodeId x = ids[0][i];
+        const InternodeId y = ids[1][i];
+        const auto compare = [&](const auto& column, const auto& left, const auto& right) {
+            if (column.name != QLatin1String("parent") && column.name != QLatin1String("parameterSet") &&
+                !(left[x] == right[y]))
+                difference = QLatin1String(column.name);
+        };
+        InternodeTable::visit(compare, a.columns(), b.columns());
+        const auto compareSparse = [&](const auto& column, const auto& left, const auto& right) {
+            if (column.name != QLatin1String("profile") && left.at(x) != right.at(y))
+                difference = QLatin1String(column.name);
+        };
+        SparseTable::visit(compareSparse, a.content().sparse, b.content().sparse);
+        if (parentKey(a, x) != parentKey(b, y) || !(a.parametersOf(x) == b.parametersOf(y)))
+            difference = QStringLiteral("parent or parameters");
+        const StrandProfile* const profiles[] = {a.profileOf(x), b.profileOf(y)};
+        if ((profiles[0] == nullptr) != (profiles[1] == nullptr) ||
+            (profiles[0] && !(*profiles[0] == *profiles[1])))
+            difference = QStringLiteral("profile");
+    }
+    for (std::size_t i = 0; i < leaves[0].size(); ++i) {
+        const LeafId x = leaves[0][i];
+        const LeafId y = leaves[1][i];
+        const auto compare = [&](const auto& column, const auto& left, const auto& right) {
+            if (column.name != QLatin1String("internode") && !(left[x] == right[y]))
+                difference = QLatin1String(column.name);
+        };
+        LeafTable::visit(compare, a.placedLeaves(), b.placedLeaves());
+        if (a.key(a.placedLeaves().internode[x]) != b.key(b.placedLeaves().internode[y]))
+            difference = QStringLiteral("internode of a leaf");
+    }
+    return difference;
+}
 
 std::vector<std::pair<InternodeKey, Vec3>> HistorySnapshotTest::living(const TreeDocument& document)
 {
@@ -253,6 +329,91 @@ void HistorySnapshotTest::parametersThatNothingUses_go()
     QVERIFY(document.parameters() == last);
     document.undo();
     QCOMPARE(document.parameters().leaves.length, 0.02 + 0.001 * 58);
+}
+
+void HistorySnapshotTest::allKindsOfRows_areTheSameUnderTheirNewIds()
+{
+    TreeDocument document;
+    const Tree& tree = document.tree();
+    std::vector<Tree> states;
+    const auto act = [&](TreeDelta delta) {
+        apply(document, std::move(delta));
+        states.push_back(tree);
+    };
+    TreeParameters parameters = tree.parameters();
+    for (int turn = 0; turn < 8; ++turn) {
+        const auto value = static_cast<float>(turn + 1);
+        const InternodeId stem = tree.size();
+        const InternodeId side = stem + 1;
+        act(births(tree, std::vector<NewInternode>{{.parent = turn == 0 ? 0 : stem - 3},
+                                                   {.parent = stem, .slot = 0, .rotation = branching(0.8)},
+                                                   {.parent = side}}));
+        act(leafPlacement(tree, std::vector{stem, side}));
+        act(widthChange(tree, stem, 0.01F * value));
+        act(widthChange(tree, side, 0.02F * value));
+        act(profileChange(tree, stem, rectangle(1.0F, 0.1F * value)));
+        act(twistChange(tree, stem, 0.1F * value));
+        act(newLasso(tree, lasso(value)));
+        if (turn % 2 == 1)
+            act(lassoChange(tree, static_cast<std::uint32_t>(turn - 1), false));
+        parameters.leaves.length = 0.01 * static_cast<double>(value);
+        act(parameterChange(tree, parameters));
+        act(leafRemoval(tree, 2 * static_cast<LeafId>(turn)));
+        act(death(tree, document.index(), side));
+    }
+    const std::uint32_t rows = tree.size();
+    const auto profiles = tree.profiles().size();
+    const auto lassos = tree.lassos().size();
+    QVERIFY(shorten(document, 1));
+    QCOMPARE(differenceOfLiving(tree, states.back()), QString());
+    QCOMPARE(indexFault(document), QString());
+    QVERIFY(tree.size() < rows);
+    QVERIFY(tree.profiles().size() == profiles && tree.lassos().size() < lassos);
+    const auto last = states.size() - 1;
+    std::size_t undone = 0;
+    for (; document.undoStack().canUndo(); ++undone) {
+        document.undo();
+        QCOMPARE(differenceOfLiving(tree, states[last - undone - 1]), QString());
+    }
+    QVERIFY(undone >= 10);
+    for (; undone > 0; --undone) {
+        document.redo();
+        QCOMPARE(differenceOfLiving(tree, states[last - undone + 1]), QString());
+    }
+    QCOMPARE(indexFault(document), QString());
+}
+
+void HistorySnapshotTest::replacedDeltas_comeBackByUndo()
+{
+    TreeDocument document;
+    workOn(document, 40);
+    const auto end = living(document);
+    // An edit in the past takes the place of what came after it.
+    travel(document, document.journal().size() - 4);
+    grow(document, 1);
+    const auto before = living(document);
+    QVERIFY(shorten(document, 1));
+    QVERIFY(living(document) == before);
+    while (document.undoStack().canUndo() && living(document) != end)
+        document.undo();
+    QVERIFY(living(document) == end);
+    QCOMPARE(indexFault(document), QString());
+}
+
+void HistorySnapshotTest::whatWasThere_isLeftToTheCaller()
+{
+    TreeDocument document;
+    workOn(document, 30);
+    document.exchange(PreparedTree(Tree(7), {}), QStringLiteral("Another"));
+    workOn(document, 30);
+    const std::weak_ptr<PreparedTree> other = EditCommand::at(document.undoStack(), 30).content().other;
+    QVERIFY(!other.expired());
+    {
+        std::optional<ShortenedHistory> shortened = HistorySnapshot(document).shortenedTo(1);
+        QVERIFY(shortened && document.shorten(*shortened));
+        QVERIFY(!other.expired());
+    }
+    QVERIFY(other.expired());
 }
 
 } // namespace espalier::test
