@@ -35,6 +35,8 @@ std::shared_ptr<const ShownStrands> renumbered(const ShownStrands& strands, cons
 } // namespace
 
 struct HistoryLimit::Outcome {
+    std::size_t bytes = 0;    ///< Of the history before it was shortened
+    std::size_t rowBytes = 0; ///< See HistorySnapshot
     std::optional<ShortenedHistory> history{};
     std::shared_ptr<PreparedScene> scene{};
 };
@@ -49,10 +51,7 @@ HistoryLimit::HistoryLimit(TreeDocument& document, std::function<bool()> isBusy,
 {
     m_timer.setSingleShot(true);
     connect(&m_timer, &QTimer::timeout, this, &HistoryLimit::look);
-    connect(&document.undoStack(), &QUndoStack::indexChanged, this, [this] {
-        m_isDue = true;
-        schedule();
-    });
+    connect(&document, &TreeDocument::changed, this, &HistoryLimit::follow);
 }
 
 HistoryLimit::~HistoryLimit() = default;
@@ -62,13 +61,26 @@ void HistoryLimit::setMost(std::size_t bytes)
     if (bytes == m_most)
         return;
     m_most = bytes;
+    m_bytes = kUnknown;
     m_isDue = true;
     m_timer.start(0);
 }
 
+void HistoryLimit::follow(const TreeChange& change)
+{
+    const TreeDelta* const delta = change.delta;
+    m_isDue = true;
+    if (!delta)
+        m_bytes = kUnknown;
+    else if (m_bytes != kUnknown)
+        m_bytes += change.kind == TreeChange::Kind::Applied ? delta->bytes() + m_rowBytes * delta->died.size()
+                                                            : m_rowBytes * delta->born.count;
+    schedule();
+}
+
 void HistoryLimit::schedule()
 {
-    if (m_isDue && !m_isWorking && !m_timer.isActive())
+    if (m_isDue && m_bytes > m_most && !m_isWorking && !m_timer.isActive())
         m_timer.start(kInterval);
 }
 
@@ -87,11 +99,14 @@ void HistoryLimit::look()
     }
     m_isWorking = true;
     m_isDue = false;
+    m_bytes = 0;
     runInBackground(
         this,
         [history = std::make_shared<HistorySnapshot>(m_document), strands = m_strands(),
          most = m_most]() mutable {
-            Outcome outcome{.history = history->shortenedTo(most)};
+            Outcome outcome{.bytes = history->bytes(),
+                            .rowBytes = history->rowBytes(),
+                            .history = history->shortenedTo(most)};
             history.reset();
             if (outcome.history) {
                 leavingOneThread([&outcome, &strands] {
@@ -110,12 +125,17 @@ void HistoryLimit::look()
             // Without memory for it, the history stays as it is.
             if (outcome)
                 take(std::move(*outcome));
+            else
+                m_bytes = kUnknown;
             schedule();
         });
 }
 
 void HistoryLimit::take(Outcome outcome)
 {
+    m_rowBytes = outcome.rowBytes;
+    if (m_bytes != kUnknown)
+        m_bytes += outcome.bytes;
     if (!outcome.history)
         return;
     if (!isAtRest() || outcome.history->revision != m_document.revision()) {

@@ -11,6 +11,7 @@
 namespace espalier {
 
 class TreeDocument;
+struct TreeChange;
 struct PreparedScene;
 struct ShownStrands;
 
@@ -41,7 +42,9 @@ Q_SIGNALS:
 
 private:
     struct Outcome;
+    static constexpr std::size_t kUnknown = ~std::size_t{0};
 
+    void follow(const TreeChange& change);
     void schedule();
     void look();
     void take(Outcome outcome);
@@ -54,6 +57,9 @@ private:
     QTimer m_timer;
     bool m_isWorking = false;
     bool m_isDue = false; ///< The history has changed since it was last looked at
+    /// What the history takes at most: what it took when it was last looked at, and what has come since.
+    std::size_t m_bytes = kUnknown;
+    std::size_t m_rowBytes = 0; ///< See HistorySnapshot
 };
 
 } // namespace espalier

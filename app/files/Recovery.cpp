@@ -118,6 +118,7 @@ Recovery::Recovery(QWidget& window, Notice& notice, QObject* parent)
 
 void Recovery::start(Occasion occasion)
 {
+    m_occasion = occasion;
     if (m_isLooking || m_sheet)
         return;
     std::vector<Leftover> leftovers = Autosave::leftovers();
@@ -129,7 +130,7 @@ void Recovery::start(Occasion occasion)
     runInBackground(
         this,
         [leftovers = std::move(leftovers)]() -> Result<std::vector<Tried>> { return tryToRead(leftovers); },
-        [this, occasion](const Result<std::vector<Tried>>& result) {
+        [this](const Result<std::vector<Tried>>& result) {
             m_isLooking = false;
             // Without memory to read them, they stay for later.
             const std::vector<Tried> tried = result ? *result : std::vector<Tried>();
@@ -143,7 +144,7 @@ void Recovery::start(Occasion occasion)
                     m_offers.push_back(one.leftover);
             }
             m_toTell = keptAside(unreadable);
-            offer(unreadable.empty() ? occasion : Occasion::Start);
+            offer(unreadable.empty() ? m_occasion : Occasion::Start);
             if (!m_sheet)
                 tell();
         });

@@ -55,8 +55,9 @@ private:
     std::vector<Leftover> m_offers; ///< As in the sheet
     QPointer<RecoverySheet> m_sheet;
     PictureRunner m_pictures;
-    QString m_toTell;         ///< About safety copies that cannot be read
-    bool m_isLooking = false; ///< A worker thread tries the safety copies
+    QString m_toTell;                      ///< About safety copies that cannot be read
+    bool m_isLooking = false;              ///< A worker thread tries the safety copies
+    Occasion m_occasion = Occasion::Start; ///< Of the look
 };
 
 } // namespace espalier

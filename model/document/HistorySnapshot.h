@@ -30,6 +30,8 @@ public:
     /// The memory of all that undo, redo and travels in time can bring back, bytes: deltas, internodes that
     /// are dead or undone, trees that were exchanged.
     std::size_t bytes() const;
+    /// The memory of an internode that is dead or undone, bytes.
+    std::size_t rowBytes() const { return m_rowBytes; }
     /// The document without so much of its oldest history that about three quarters of @p most bytes are
     /// left. The last few undo steps stay, and all that can be redone. Empty if the history takes less than
     /// @p most, or little of it can be dropped.

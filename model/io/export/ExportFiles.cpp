@@ -84,6 +84,13 @@ Result<void> ExportFiles::addMain(const QByteArray& content)
     return addMain([&](QIODevice& file) { return file.write(content) == content.size(); });
 }
 
+Error ExportFiles::tooLarge() const
+{
+    const QString what = QCoreApplication::translate(
+        "Exporter", "the tree takes more than such a file can hold; export less detail");
+    return {Error::Kind::Output, inputError(mainName(), what).message};
+}
+
 Result<void> ExportFiles::checkNames() const
 {
     const QStringList existing = namesInFolder();

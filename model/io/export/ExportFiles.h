@@ -37,7 +37,8 @@ public:
 
     /// Adds a companion with the mark of the main file: PNG, or a text whose comments begin with #.
     Result<void> addCompanion(const QString& ending, const QByteArray& content);
-    /// Adds the main file. @p write gets a QIODevice& and returns whether the device took everything.
+    /// Adds the main file. @p write gets a QIODevice& and returns whether the file is whole: false if the
+    /// device did not take everything, or if the format cannot hold so much.
     template <std::invocable<QIODevice&> Write>
     Result<void> addMain(Write&& write)
     {
@@ -47,6 +48,9 @@ public:
 
     /// Name of the main file, without its folder.
     QString mainName() const { return m_main.fileName(); }
+
+    /// That the format cannot hold so much.
+    Error tooLarge() const;
 
     /// Fails if another program has taken one of the names since they were chosen.
     Result<void> checkNames() const;
@@ -65,9 +69,11 @@ private:
     Result<void> add(const QString& name, Write&& write)
     {
         auto file = std::make_unique<FileWriter>(m_main.dir().filePath(name));
-        write(static_cast<QIODevice&>(*file));
+        const bool isWhole = write(static_cast<QIODevice&>(*file));
         if (Result<void> written = file->finish(); !written)
             return written;
+        if (!isWhole)
+            return tooLarge();
         m_entries.push_back({std::move(file), name != m_main.fileName()});
         return {};
     }

@@ -165,8 +165,7 @@ Result<void> FbxFormat::write(const ExportScene& scene, ExportFiles& files) cons
     if (!document)
         return failure(document.error().message);
     if (!setTriangles(*document, scene.meshes))
-        return failure(QCoreApplication::translate(
-            "Exporter", "the tree takes more than such a file can hold; export less detail"));
+        return files.tooLarge();
     return files.addMain([&](QIODevice& device) { return writeFbx(*document, device); });
 }
 
