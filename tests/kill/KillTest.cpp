@@ -27,10 +27,9 @@ namespace {
 
 /// What the program said until it was killed.
 struct Story {
-    std::vector<QString> digests;           ///< By number of the operation; 0: the beginning
-    std::vector<qint64> times;              ///< ms, at which the operations were finished
-    bool isDoing = false;                   ///< An operation was under way
-    int safe = 0;                           ///< The last operation that was in the safety copy
+    std::vector<QString> digests; ///< By number of the operation; 0: the beginning
+    std::vector<qint64> times;    ///< ms, at which the operations were finished
+    int safe = 0; ///< The last operation that was in the safety copy, if not all of it was undone
     QHash<QString, std::vector<int>> mayBe; ///< By file: operations whose document it may hold
 };
 
@@ -44,13 +43,13 @@ Story readStory(const QByteArray& output)
         if (words[0] == "begins" && words.size() == 2)
             story.digests[0] = QString::fromLatin1(words[1]);
         // The last line may be cut off.
-        if (words[0] == "doing" || words[0] == "done")
-            story.isDoing = words[0] == "doing";
         if (words[0] == "done" && words.size() == 4 && !words[3].isEmpty()) {
             story.digests.push_back(QString::fromLatin1(words[2]));
             story.times.push_back(words[3].toLongLong());
         } else if (words[0] == "safe" && words.size() == 2)
             story.safe = words[1].toInt();
+        else if (words[0] == "clean")
+            story.safe = 0;
         else if (words[0] == "saving" && words.size() == 3) {
             story.mayBe[QString::fromUtf8(words[2])].push_back(words[1].toInt());
         } else if (words[0] == "saved" && words.size() == 2) {
@@ -71,6 +70,7 @@ public:
     void print() const;
 
 private:
+    QString check(const Story& story, const QString& folder, const QString& home);
     /// @p kept becomes the last operation that a saved file has, or the safety copy.
     QString checkSaved(const Story& story, const QString& folder, int& kept);
     QString checkCopy(const Story& story, const QString& home, int& kept);
@@ -153,9 +153,7 @@ QString KillTest::checkCopy(const Story& story, const QString& home, int& kept)
     }
     if (!m_isAsked)
         m_lost.push_back(kept == last ? 0 : m_killedAt - story.times[static_cast<std::size_t>(kept) + 1]);
-    // An operation that undoes all that is not saved takes the copy away before it is done.
-    const bool isUndone = story.isDoing && files.isEmpty();
-    if (kept < story.safe && !isUndone)
+    if (kept < story.safe)
         return QStringLiteral("operation %1 was safe, but only %2 can be brought back")
             .arg(story.safe)
             .arg(kept);
@@ -165,7 +163,8 @@ QString KillTest::checkCopy(const Story& story, const QString& home, int& kept)
 QString KillTest::kill(std::uint64_t seed, bool asks)
 {
     m_isAsked = asks;
-    const QTemporaryDir home;
+    QTemporaryDir home;
+    home.setAutoRemove(false);
     const QString folder = home.filePath(QStringLiteral("trees"));
     QDir().mkpath(folder);
     QProcess victim;
@@ -193,17 +192,30 @@ QString KillTest::kill(std::uint64_t seed, bool asks)
     if ((victim.exitStatus() == QProcess::CrashExit) == asks)
         return asks ? QStringLiteral("the program crashed when it was asked to end")
                     : QStringLiteral("the program ended by itself");
-    const Story story = readStory(victim.readAllStandardOutput());
+    const QByteArray told = victim.readAllStandardOutput();
+    const QString fault = check(readStory(told), folder, home.path());
+    if (fault.isEmpty()) {
+        home.remove();
+        return {};
+    }
+    QFile log(home.filePath(QStringLiteral("told.txt")));
+    log.open(QIODevice::WriteOnly);
+    log.write(told);
+    return QStringLiteral("%1 (what is left is in %2)").arg(fault, home.path());
+}
+
+QString KillTest::check(const Story& story, const QString& folder, const QString& home)
+{
     ++m_kills;
     m_operations += static_cast<int>(story.digests.size()) - 1;
     int kept = 0;
     if (const QString fault = checkSaved(story, folder, kept); !fault.isEmpty())
         return fault;
-    if (const QString fault = checkCopy(story, home.path(), kept); !fault.isEmpty())
+    if (const QString fault = checkCopy(story, home, kept); !fault.isEmpty())
         return fault;
     const bool hasLost = story.digests.back() != story.digests[static_cast<std::size_t>(kept)];
-    return asks && hasLost ? QStringLiteral("the program lost something when it was asked to end")
-                           : QString();
+    return m_isAsked && hasLost ? QStringLiteral("the program lost something when it was asked to end")
+                                : QString();
 }
 
 void KillTest::print() const
@@ -234,11 +246,13 @@ int main(int argc, char** argv)
     const QCommandLineOption seed(QStringLiteral("seed"), QStringLiteral("Another seed, other moments."),
                                   QStringLiteral("number"), QStringLiteral("1"));
     parser.addHelpOption();
-    parser.addOptions({kills, seed});
+    const QCommandLineOption from(QStringLiteral("from"), QStringLiteral("Leaves out those before."),
+                                  QStringLiteral("number"), QStringLiteral("0"));
+    parser.addOptions({kills, seed, from});
     parser.process(application);
     const std::uint64_t first = parser.value(seed).toULongLong();
     KillTest test(first);
-    for (int i = 0; i < parser.value(kills).toInt(); ++i) {
+    for (int i = parser.value(from).toInt(); i < parser.value(kills).toInt(); ++i) {
         const std::uint64_t number = first * 1'000'000 + static_cast<std::uint64_t>(i);
         if (const QString fault = test.kill(number, i % 4 == 3); !fault.isEmpty()) {
             test.print();

@@ -4,9 +4,9 @@
 //   doing N              the N-th operation begins
 //   done N DIGEST MS   the N-th operation was finished at that time, and gave a document with that digest
 //   safe N             the safety copy has all operations up to the N-th
-//   saving N FILE      the document after the N-th operation is going to be written
-//   saved FILE
-//   exporting FILE, exported FILE
+//   clean              all that is not saved was undone: there is nothing to keep, and the next copy begins
+//   anew saving N FILE      the document after the N-th operation is going to be written saved FILE exporting
+//   FILE, exported FILE
 #include "app/TerminationSignals.h"
 #include "app/files/FileController.h"
 #include "panels/Notice.h"
@@ -74,7 +74,9 @@ private:
     {
         tell(QStringLiteral("doing %1").arg(m_done + 1));
         const int undoable = m_document.undoStack().index();
+        m_isEditing = true;
         doByHand(m_document, m_random.next(m_document, undoable), m_random);
+        m_isEditing = false;
         // The clock of the system, which the test has, too.
         QElapsedTimer now;
         now.start();
@@ -106,6 +108,13 @@ private:
     Settings m_settings;
     Notice m_notice;
     TreeDocument m_document;
+    bool m_isEditing = false;
+    /// Before the safety copy hears of it.
+    QMetaObject::Connection m_cleanTold =
+        connect(&m_document.undoStack(), &QUndoStack::cleanChanged, this, [this](bool isClean) {
+            if (isClean && m_isEditing)
+                tell(QStringLiteral("clean"));
+        });
     FileController m_files;
     TerminationSignals m_signals;
     int m_done = 0;

@@ -45,9 +45,8 @@ public:
     QString run();
 
     int operationsDone() const { return static_cast<int>(m_milestones.size()); }
-    /// Greatest and least memory of the process, MB, over the second half of the operations; equal if there
-    /// were too few.
-    std::pair<double, double> memoryOfSecondHalf() const;
+    /// Mean memory of the process, MB, over the third quarter of the operations and over the last one.
+    std::pair<double, double> memoryOfLastQuarters() const;
     const RecipeLog& log() const { return m_log; }
     RecipeLog& log() { return m_log; }
     /// A text for the user: the operations, and the resulting tree.
