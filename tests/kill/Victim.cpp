@@ -111,8 +111,8 @@ private:
     bool m_isEditing = false;
     /// Before the safety copy hears of it.
     QMetaObject::Connection m_cleanTold =
-        connect(&m_document.undoStack(), &QUndoStack::cleanChanged, this, [this](bool isClean) {
-            if (isClean && m_isEditing)
+        connect(&m_document.undoStack(), &QUndoStack::indexChanged, this, [this] {
+            if (m_isEditing && m_document.undoStack().isClean())
                 tell(QStringLiteral("clean"));
         });
     FileController m_files;
