@@ -80,6 +80,8 @@ TreeDelta EnvelopeGrowth::step(const Tree& tree, const TreeIndex& index, const G
     GrowthStepOptions options = GrowthStepOptions::of(tree.parameters().growth);
     // The envelope sets the form of the crown; shed branches would leave holes in it.
     options.sheds = false;
+    // Branches that straighten could leave it.
+    options.straightens = false;
     options.competitors = m_competitors;
     const double margin = marginOf(tree.parameters());
     // Shoots may grow into the envelope from outside until a bud is inside. After that, shoots outside stop,

@@ -223,6 +223,11 @@ constexpr ParameterText kShoot[] = {
      QT_TRANSLATE_NOOP("Parameters",
                        "Spread of angles and lengths: 0 is as regular as a diagram, 1 as wild as nature."),
      Linear, 2, "", 1.0, "", QT_TRANSLATE_NOOP("Parameters", "Variance of the angles and of the metamers.")},
+    {"growth.straightening", QT_TRANSLATE_NOOP("Parameters", "Straightening"), "",
+     QT_TRANSLATE_NOOP("Parameters",
+                       "How fast young wood smooths its bends as it grows on: 0 keeps every elbow."),
+     Linear, 2, "", 1.0, "",
+     QT_TRANSLATE_NOOP("Parameters", "Reaction wood: an axis that takes over straightens.")},
     {"growth.markersPerBud", QT_TRANSLATE_NOOP("Parameters", "Room at a bud"), "",
      QT_TRANSLATE_NOOP(
          "Parameters",

@@ -2987,6 +2987,18 @@ geschrieben werden konnte.
         <source>A stroke reaches through the whole tree. Otherwise it takes only what is on your side of the trunk.</source>
         <translation>Ein Strich reicht durch den ganzen Baum. Sonst nimmt er nur, was diesseits des Stamms ist.</translation>
     </message>
+    <message>
+        <source>Straightening</source>
+        <translation>Geradewachsen</translation>
+    </message>
+    <message>
+        <source>How fast young wood smooths its bends as it grows on: 0 keeps every elbow.</source>
+        <translation>Wie schnell junges Holz seine Knicke beim Weiterwachsen ausgleicht: 0 behält jeden Knick.</translation>
+    </message>
+    <message>
+        <source>Reaction wood: an axis that takes over straightens.</source>
+        <translation>Reaktionsholz: Eine Achse, die die Führung übernimmt, richtet sich gerade.</translation>
+    </message>
 </context>
 <context>
     <name>ParametersJson</name>
@@ -4000,6 +4012,10 @@ geschrieben werden konnte.
     <message>
         <source>the length that is kept clear is out of range</source>
         <translation>die freigehaltene Länge liegt außerhalb des Bereichs</translation>
+    </message>
+    <message>
+        <source>the length that was drawn is out of range</source>
+        <translation>die gezeichnete Länge liegt außerhalb des zulässigen Bereichs</translation>
     </message>
 </context>
 <context>

@@ -2986,6 +2986,18 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <source>A stroke reaches through the whole tree. Otherwise it takes only what is on your side of the trunk.</source>
         <translation>Un trait traverse tout l’arbre. Sinon, il ne prend que ce qui est de votre côté du tronc.</translation>
     </message>
+    <message>
+        <source>Straightening</source>
+        <translation>Redressement</translation>
+    </message>
+    <message>
+        <source>How fast young wood smooths its bends as it grows on: 0 keeps every elbow.</source>
+        <translation>La vitesse à laquelle le jeune bois adoucit ses coudes en poussant : 0 garde chaque coude.</translation>
+    </message>
+    <message>
+        <source>Reaction wood: an axis that takes over straightens.</source>
+        <translation>Bois de réaction : un axe qui prend le relais se redresse.</translation>
+    </message>
 </context>
 <context>
     <name>ParametersJson</name>
@@ -3999,6 +4011,10 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
     <message>
         <source>the length that is kept clear is out of range</source>
         <translation>la longueur dégagée est hors limites</translation>
+    </message>
+    <message>
+        <source>the length that was drawn is out of range</source>
+        <translation>la longueur dessinée est hors limites</translation>
     </message>
 </context>
 <context>

@@ -2979,6 +2979,18 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <source>A stroke reaches through the whole tree. Otherwise it takes only what is on your side of the trunk.</source>
         <translation>線が木の向こう側まで届きます。オフのときは、幹の手前側だけを取ります。</translation>
     </message>
+    <message>
+        <source>Straightening</source>
+        <translation>まっすぐになる速さ</translation>
+    </message>
+    <message>
+        <source>How fast young wood smooths its bends as it grows on: 0 keeps every elbow.</source>
+        <translation>若い木が伸びるにつれて曲がりをならす速さ。0 ではどの曲がりも残ります。</translation>
+    </message>
+    <message>
+        <source>Reaction wood: an axis that takes over straightens.</source>
+        <translation>あて材。先導になった軸はまっすぐになります。</translation>
+    </message>
 </context>
 <context>
     <name>ParametersJson</name>
@@ -3992,6 +4004,10 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
     <message>
         <source>the length that is kept clear is out of range</source>
         <translation>下枝を止める長さが範囲外です</translation>
+    </message>
+    <message>
+        <source>the length that was drawn is out of range</source>
+        <translation>描かれた長さが範囲外です</translation>
     </message>
 </context>
 <context>

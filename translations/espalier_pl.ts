@@ -2988,6 +2988,18 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <source>A stroke reaches through the whole tree. Otherwise it takes only what is on your side of the trunk.</source>
         <translation>Pociągnięcie sięga przez całe drzewo. Inaczej usuwa tylko to, co jest po tej stronie pnia.</translation>
     </message>
+    <message>
+        <source>Straightening</source>
+        <translation>Prostowanie</translation>
+    </message>
+    <message>
+        <source>How fast young wood smooths its bends as it grows on: 0 keeps every elbow.</source>
+        <translation>Jak szybko młode drewno wygładza swoje zgięcia, rosnąc dalej: 0 zachowuje każde kolanko.</translation>
+    </message>
+    <message>
+        <source>Reaction wood: an axis that takes over straightens.</source>
+        <translation>Drewno reakcyjne: oś, która przejmuje prowadzenie, prostuje się.</translation>
+    </message>
 </context>
 <context>
     <name>ParametersJson</name>
@@ -4001,6 +4013,10 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
     <message>
         <source>the length that is kept clear is out of range</source>
         <translation>oczyszczona długość jest poza zakresem</translation>
+    </message>
+    <message>
+        <source>the length that was drawn is out of range</source>
+        <translation>narysowana długość jest poza zakresem</translation>
     </message>
 </context>
 <context>

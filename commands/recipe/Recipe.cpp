@@ -65,6 +65,8 @@ Result<Recipe> parseRecipe(const QByteArray& json, const QString& folder)
     recipe.description = reader.text(kDescriptionKey, QString());
     recipe.seed = reader.seed(kSeedKey, 1);
     RecipeReading reading(folder);
+    if (version == 1)
+        reading.setParameters(parametersOfFirstFiles());
     if (const Result<void> read =
             reading.readParameters(reader.object(kFirstParametersKey), QString(kFirstParametersKey));
         !read)

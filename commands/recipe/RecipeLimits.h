@@ -9,7 +9,8 @@ namespace espalier::recipeLimits {
 
 /// The key whose value is the version of the format.
 inline constexpr QLatin1StringView kVersionKey("espalier-recipe");
-inline constexpr int kVersion = 1;
+/// In recipes of version 1, parameters that are younger than it are off unless they are named.
+inline constexpr int kVersion = 2;
 inline constexpr double kCoordinate = 1000.0;    ///< m, for each axis and either sign
 inline constexpr qsizetype kSamples = 1'000'000; ///< Of all strokes and lassos together
 inline constexpr qsizetype kOperations = 100'000;

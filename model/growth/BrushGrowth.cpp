@@ -108,6 +108,16 @@ Vec3 withoutFold(const Vec3& direction, const Vec3& heading)
     return side.norm() > 1e-3F ? Vec3(side.normalized()) : anyPerpendicular(heading);
 }
 
+/// Notes that the axis of @p tip is drawn up to there.
+void noteDrawn(GrowingTree& growing, InternodeId tip)
+{
+    const InternodeId axis = growing.axis(tip);
+    float length = growing.length(axis);
+    for (InternodeId id = tip; id != axis; id = growing.parent(id))
+        length += growing.length(id);
+    growing.setDrawnLength(axis, length);
+}
+
 /// The living bud nearest to @p point, of the first @p count internodes; at one node, the terminal bud before
 /// laterals; at equal distance, the smallest id.
 BudRef nearestBud(const Tree& tree, const TreeIndex& index, const Vec3& point,
@@ -382,6 +392,8 @@ TreeDelta BrushGrowth::drawPath(const Tree& tree, const TreeIndex& index)
         m_drawnBud = BudRef{growing.grow(node, slot, direction, p.phyllotaxis, length, 1.0), kTerminalSlot};
         m_hasDrawn = true;
     }
+    if (growing.isNew(m_drawnBud->node))
+        noteDrawn(growing, m_drawnBud->node);
     return growing.takeDelta();
 }
 

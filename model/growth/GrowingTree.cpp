@@ -103,6 +103,14 @@ void GrowingTree::setAddedVigour(InternodeId id, float years)
         m_delta.sparse.addedVigour.push_back({id, before, after});
 }
 
+void GrowingTree::setDrawnLength(InternodeId axis, float length)
+{
+    const std::optional<float> before = m_tree.content().sparse.drawnLength.at(axis);
+    const float after = std::min(length, kGreatestClearLength);
+    if (before != after)
+        m_delta.sparse.drawnLength.push_back({axis, before, after});
+}
+
 std::vector<Cell> GrowingTree::newCells(const VoxelSpace& space) const
 {
     std::vector<Cell> cells;

@@ -102,6 +102,9 @@ public:
     void turn(InternodeId id, const Rotation& local);
     /// Sets the added vigour of an internode, years; 0 is none. At most once for each internode.
     void setAddedVigour(InternodeId id, float years);
+    /// Sets how far from its base on the axis that begins with @p axis is drawn, m. At most once for each
+    /// axis.
+    void setDrawnLength(InternodeId axis, float length);
     /// Lets an internode of the tree die in this step; the caller kills all that it carries as well.
     void kill(InternodeId id) { m_delta.died.push_back(id); }
 

@@ -6,6 +6,7 @@
 #include "model/growth/BorchertHonda.h"
 #include "model/growth/Buds.h"
 #include "model/growth/Shedding.h"
+#include "model/growth/Straightening.h"
 
 #include <cmath>
 
@@ -195,6 +196,8 @@ void growShoots(GrowingTree& growing, const GrowthIndex& growth, VigourFlow& flo
         std::ranges::sort(refused);
         competition.dropOwned(refused);
     }
+    if (options.straightens)
+        straightenWood(growing, growingAt, workspace);
     if (options.sheds)
         shedBranches(growing, growth, flow, growingAt, workspace);
 }

@@ -20,6 +20,8 @@ struct GrowthStepOptions {
     double leastVigour = 0.0;
     /// Whether the step sheds branches.
     bool sheds = true;
+    /// Whether young wood straightens, by the parameter; see straightenWood().
+    bool straightens = true;
     /// Whether an internode may lead from one node to another, m; if empty, every internode may. A shoot that
     /// is refused ends, and the markers that its bud owns are removed.
     std::function<bool(const Vec3& from, const Vec3& to)> admits;

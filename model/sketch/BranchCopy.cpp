@@ -191,6 +191,9 @@ void BranchCopies::copySparse(InternodeId source, InternodeId id, double scale)
     if (const float* const clear = sparse.clearLength.find(source))
         m_delta.sparse.clearLength.push_back(
             {id, std::nullopt, scaledLength(*clear, scale, kGreatestClearLength)});
+    if (const float* const drawn = sparse.drawnLength.find(source))
+        m_delta.sparse.drawnLength.push_back(
+            {id, std::nullopt, scaledLength(*drawn, scale, kGreatestClearLength)});
 }
 
 void BranchCopies::addLeaf(LeafId leaf, InternodeId internode, float along, const Rotation& rotation,

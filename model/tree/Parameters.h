@@ -17,7 +17,7 @@ inline constexpr int kGrowthModelCount = 2;
 
 /// How a tree grows (TreeSketch 2012 §3.2; symbols in the comments are the paper's). Lengths "in internodes"
 /// are multiples of internodeLength. Any field may change at any step; a change applies to later growth, not
-/// to internodes that exist.
+/// to internodes that exist, apart from straightening.
 struct GrowthParameters {
     GrowthModelKind model = GrowthModelKind::TreeSketch;
 
@@ -28,6 +28,7 @@ struct GrowthParameters {
     double branchingAngle = radians(60); ///< ψ, rad, between the axis and a lateral bud
     double deflectionAngle = radians(8); ///< δ, rad, the axis turns away from a lateral that starts to grow
     double irregularity = 0.6;           ///< 0...1, random spread of angles and lengths (0 = none)
+    double straightening = 0.35; ///< 0...1, share of a turn in young wood that is spread along it in a step
     int maxShootLength = 5; ///< n_max, internodes that the shoot with the greatest vigour grows in a step
 
     // Competition for space
@@ -213,6 +214,15 @@ struct TreeParameters {
     bool operator==(const TreeParameters&) const = default;
 };
 
+/// The parameters of recipes of version 1, and of projects, that do not say otherwise: rules that are younger
+/// than these are off.
+inline TreeParameters parametersOfFirstFiles()
+{
+    TreeParameters parameters;
+    parameters.growth.straightening = 0.0;
+    return parameters;
+}
+
 /// The kind of a parameter's value, which decides how files, recipes and panels write it.
 enum class Quantity { Number, Metres, Angle, Count, Switch, Choice };
 
@@ -240,6 +250,7 @@ void visitParameters(Parameters& p, Visit&& visit)
     visit(ParameterInfo{"growth.branchingAngle", Angle, 0, 150}, g.branchingAngle);
     visit(ParameterInfo{"growth.deflectionAngle", Angle, 0, 60}, g.deflectionAngle);
     visit(ParameterInfo{"growth.irregularity", Number, 0, 1}, g.irregularity);
+    visit(ParameterInfo{"growth.straightening", Number, 0, 1}, g.straightening);
     visit(ParameterInfo{"growth.maxShootLength", Count, 1, 40}, g.maxShootLength);
     visit(ParameterInfo{"growth.occupancyRadius", Number, 0.5, 10}, g.occupancyRadius);
     visit(ParameterInfo{"growth.perceptionDepth", Number, 0.5, 10}, g.perceptionDepth);

@@ -73,6 +73,9 @@ public:
     /// How far from its base on the axis that begins with @p axis bears no shoots, m; 0 if it may anywhere.
     float clearLength(InternodeId axis) const { return m_content.sparse.clearLength.at(axis).value_or(0.0F); }
 
+    /// How far from its base on the axis that begins with @p axis was drawn, m; 0 if it grew.
+    float drawnLength(InternodeId axis) const { return m_content.sparse.drawnLength.at(axis).value_or(0.0F); }
+
     const QList<TreeParameters>& parameterSets() const { return m_content.kept.parameters; }
     std::uint32_t currentParameterSet() const { return m_content.currentParameters; }
     /// The parameters in force.

@@ -268,6 +268,13 @@ const char* ofClearLength(const float& value)
                : QT_TRANSLATE_NOOP("Tree", "the length that is kept clear is out of range");
 }
 
+const char* ofDrawnLength(const float& value)
+{
+    return value > 0.0F && value <= kGreatestClearLength
+               ? nullptr
+               : QT_TRANSLATE_NOOP("Tree", "the length that was drawn is out of range");
+}
+
 } // namespace faults
 
 bool isFrame(const Rotation& rotation, float length)

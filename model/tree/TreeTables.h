@@ -49,6 +49,7 @@ const char* ofRootPosition(const Vec3& value);
 const char* ofTwist(const float& value);
 const char* ofAddedVigour(const float& value);
 const char* ofClearLength(const float& value);
+const char* ofDrawnLength(const float& value);
 } // namespace faults
 
 // The columns of internodes:
@@ -100,13 +101,15 @@ const char* ofClearLength(const float& value);
 //   addedVigour   years of growth that the subtree has been given and not used yet (§4, invigoration)
 //   clearLength   m along the axis that begins with the internode, from its base on: there, buds rest; no
 //                 effect on an internode that begins no axis
+//   drawnLength   m along that axis, in the same way: there, it was drawn and growth does not straighten it
 #define ESPALIER_SPARSE_COLUMNS(COLUMN)                                                                      \
     COLUMN(float, width, std::nullopt, faults::ofDiameter, Edits::Allowed)                                   \
     COLUMN(Vec3, rootPosition, std::nullopt, faults::ofRootPosition, Edits::Allowed)                         \
     COLUMN(std::uint32_t, profile, std::nullopt, noFault, Edits::Allowed)                                    \
     COLUMN(float, twist, std::nullopt, faults::ofTwist, Edits::Allowed)                                      \
     COLUMN(float, addedVigour, std::nullopt, faults::ofAddedVigour, Edits::Allowed)                          \
-    COLUMN(float, clearLength, std::nullopt, faults::ofClearLength, Edits::Allowed)
+    COLUMN(float, clearLength, std::nullopt, faults::ofClearLength, Edits::Allowed)                          \
+    COLUMN(float, drawnLength, std::nullopt, faults::ofDrawnLength, Edits::Allowed)
 
 // Values that are stored once and referred to by index; see KeptEntries (model/io/project) for how files hold
 // them:

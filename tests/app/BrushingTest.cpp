@@ -357,7 +357,7 @@ void BrushingTest::bendAndWidth_areAtHand()
     float moved = 0.0F;
     for (InternodeId id = 0; id < grown.size(); ++id)
         moved = std::max(moved, (document.index().nodePosition(id) - before[id]).norm());
-    QVERIFY2(moved > 0.3F, qPrintable(QStringLiteral("%1, %2").arg(moved).arg(top)));
+    QVERIFY2(moved > 0.2F, qPrintable(QStringLiteral("%1, %2").arg(moved).arg(top)));
     QCOMPARE(document.undoStack().count(), 2);
     QTest::keyClick(m_window.get(), Qt::Key_Z, Qt::ControlModifier);
     QVERIFY(document.tree() == grown);

@@ -174,7 +174,10 @@ void GrowthRunnerTest::runnerThatGoes_takesBackWhatItBegan()
 
 void GrowthRunnerTest::parametersChangedMeanwhile_affectWhatGrowsAfterwards()
 {
+    TreeParameters parameters;
+    parameters.growth.straightening = 0.0; // It turns what stands already
     TreeDocument document;
+    document.reset(1, parameters);
     GrowRunner runner(document);
     ParameterEditor editor(document);
     runner.run(GrowthRunner::kEndless);

@@ -89,7 +89,7 @@ void ArchitecturePanelTest::everyParameterOfGrowth_hasAControlThatShowsIt()
         else
             QVERIFY2(std::abs(number->number().value() - value) < 0.005, info.key);
     });
-    QCOMPARE(shown, 26 + 20);
+    QCOMPARE(shown, 27 + 20);
 }
 
 void ArchitecturePanelTest::everyControl_explainsItself()

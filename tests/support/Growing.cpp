@@ -52,6 +52,7 @@ TreeParameters randomParameters(Random& random)
     p.markerDensity = random.uniform(0.05, 0.3);
     p.markerAge = whole(random, 2, 12);
     p.markersPerBud = whole(random, 1, 6);
+    p.straightening = whole(random, 0, 2) == 0 ? 0.0 : random.uniform();
     return parameters;
 }
 

@@ -17,11 +17,16 @@ from pathlib import Path
 sys.dont_write_bytecode = True
 import yardsticks  # noqa: E402
 
+# The samples' parameters are older than the straightening of wood, and do without it.
+ELBOWS = {"sharp turns a metre": (0.0, 2.8)}
+
 FALLS_SHORT = {
+    "oak": ELBOWS,
+    "helix": ELBOWS,
     # Hanging shoots cover little of the view from below.
-    "willow": {"sky from below": (0.44, 0.63)},
+    "willow": {**ELBOWS, "sky from below": (0.44, 0.63)},
     # A crown that the wind has blown to one side lies thin above its own trunk.
-    "windswept": {"sky from below": (0.44, 0.58)},
+    "windswept": {**ELBOWS, "sky from below": (0.44, 0.58)},
 }
 
 

@@ -55,6 +55,7 @@ RANGES = {
     "sky from the side": (0.44, 0.54),
     "sky from below": (0.44, 0.54),
     "box dimension": (1.4, 2.0),
+    "sharp turns a metre": (0.0, 0.8),
 }
 
 SCANNED = 0.0047  # m, radius of the thinnest twigs of the scanned trees
@@ -466,11 +467,33 @@ def box_dimension(tree):
     return {"box dimension": -slope(np.log(sizes), np.log(numbers))}
 
 
+def sharp_turns(tree, chord=0.1, angle=30.0):
+    """Turns of more than 30 degrees between successive chords of 10 cm along the axes, a metre of chords."""
+    turns, chords = 0, 0
+    for axis in tree.axes():
+        line = np.vstack([tree.start[axis[0]], tree.end[axis]])
+        points, left = [line[0]], chord
+        for a, b in zip(line, line[1:]):
+            length = np.linalg.norm(b - a)
+            at = left
+            while at <= length and length > 0.0:
+                points.append(a + (b - a) * at / length)
+                at += chord
+            left = at - length
+        steps = np.diff(np.array(points), axis=0)
+        chords += len(steps)
+        if len(steps) > 1:
+            norms = np.maximum(np.linalg.norm(steps, axis=1), 1e-12)
+            cosines = (steps[:-1] * steps[1:]).sum(axis=1) / (norms[:-1] * norms[1:])
+            turns += int((np.degrees(np.arccos(np.clip(cosines, -1.0, 1.0))) > angle).sum())
+    return {"sharp turns a metre": turns / (chord * chords) if chords else math.nan}
+
+
 def measure(tree, cut=SCANNED):
     """All measures by name; what a tree is too small for is NaN."""
     values = {}
     scanned = tree.without(cut)
-    for part in (order_ratios, path_fraction, widths, taper, angles, box_dimension):
+    for part in (order_ratios, path_fraction, widths, taper, angles, box_dimension, sharp_turns):
         values.update(part(scanned))
     for part in (build, twigs, sky):
         values.update(part(tree))

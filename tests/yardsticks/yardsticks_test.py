@@ -154,6 +154,18 @@ class YardsticksTest(unittest.TestCase):
                 tree.add(row, end, [side, 0, 0], 1.0, 0.025)
         self.assertAlmostEqual(tree.measure()["sky from the side"], 0.5, 1)
 
+    def test_sharpTurns_areCountedByTheMetre(self):
+        # A zigzag with a corner of 90 degrees every metre, and a bow without any.
+        zigzag, parent, at = Builder(), -1, np.zeros(3)
+        for i in range(10):
+            for _ in range(10):
+                parent, at = zigzag.add(parent, at, [1, 0, 1] if i % 2 else [-1, 0, 1], 0.1, 0.02)
+        self.assertAlmostEqual(zigzag.measure()["sharp turns a metre"], 0.9, 1)
+        bow, parent, at = Builder(), -1, np.zeros(3)
+        for i in range(100):
+            parent, at = bow.add(parent, at, [math.sin(0.02 * i), 0, math.cos(0.02 * i)], 0.1, 0.02)
+        self.assertEqual(bow.measure()["sharp turns a metre"], 0.0)
+
     def test_boxDimension_ofALineAndOfAWall(self):
         self.assertAlmostEqual(pole().measure()["box dimension"], 1.0, 1)
         tree = pole(height=4.0, segments=200)

@@ -71,7 +71,7 @@ Result<QList<TreeParameters>> readParameterSets(const QJsonArray& array, Project
         return inputError(QStringLiteral("parameterSets"),
                           ProjectText::tr("1 to %1 sets are expected").arg(kMostParameterSets));
     QList<TreeParameters> sets;
-    TreeParameters before;
+    TreeParameters before = parametersOfFirstFiles();
     for (qsizetype i = 0; i < array.size(); ++i) {
         const QString place = QStringLiteral("parameterSets[%1]").arg(i);
         if (!array.at(i).isObject())

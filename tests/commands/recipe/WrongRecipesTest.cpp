@@ -31,8 +31,8 @@ void WrongRecipesTest::wrongRecipes_nameThePlace_data()
     row("{}", "this is not a recipe");
     row("{\"espalier-recipe\": 1,\n\n \"name\": nan}", "line 3: not valid JSON: ");
     row("{\"espalier-recipe\": 1, \"seed\": 1e999}", "line 1: not valid JSON: illegal number");
-    row(R"({"espalier-recipe": 2, "new": 1})",
-        "the recipe is of version 2; this program reads versions up to 1");
+    row(R"({"espalier-recipe": 3, "new": 1})",
+        "the recipe is of version 3; this program reads versions up to 2");
     row(R"({"espalier-recipe": "1"})", "espalier-recipe: a whole number");
     row(recipeOf(R"("nmae": "x")"), "“nmae” is not known here");
     row(recipeOf(R"("name": 5)"), "name: a string is expected");

@@ -186,6 +186,7 @@ void GrowthModelTest::recipe_changesTheModelInTheMiddle()
 
     // The same on another thread, as the window plays it.
     TreeDocument follower;
+    follower.reset(recipe->seed, recipe->parameters);
     RecipeReplica replica(*recipe);
     EditFollower following(follower);
     for (bool isDone = false; !isDone;) {

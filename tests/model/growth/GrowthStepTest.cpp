@@ -128,6 +128,7 @@ TreeParameters diagram()
     TreeParameters parameters;
     GrowthParameters& p = parameters.growth;
     p.irregularity = 0.0;
+    p.straightening = 0.0;
     p.axisWeight = 1.0;
     p.tropismWeight = p.spaceWeight = 0.0;
     p.shedding = 0.0;

@@ -80,6 +80,7 @@ void SchematicTest::sameParameters_giveTheSameTree()
 void SchematicTest::branchingAngle_isThatOfTheDiagram()
 {
     GrowthParameters growth;
+    growth.straightening = 0.0;
     growth.axisWeight = 1.0;
     growth.tropismWeight = 0.0;
     growth.spaceWeight = 0.0;
@@ -102,6 +103,7 @@ void SchematicTest::buds_standOnTheSideThatPhyllotaxisSays()
 {
     GrowthParameters growth;
     growth.uprightTrunk = true;
+    growth.straightening = 0.0;
     growth.axisWeight = 1.0;
     growth.tropismWeight = 0.0;
     growth.spaceWeight = 0.0;
